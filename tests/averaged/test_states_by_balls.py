@@ -138,7 +138,7 @@ def test_balls_are_bounded_and_the_rest_is_undecided(monkeypatch):
     monkeypatch.setattr(proofs.Allowance.__init__, "__defaults__", (2,))
     found, many = one.amplitudes(Omega=frequencies, F_0=F_0), batch(one).amplitudes(Omega=frequencies, F_0=F_0)
     assert len(open_) > 2 and found.Omega_undecided.tolist() == open_[2:]
-    assert "ball arithmetic was used 2 times" in found.message
+    assert "ball arithmetic was used for 2 points" in found.message
     assert {Remark.BY_BALLS, Remark.UNDECIDED} <= set(found.remarks)
     assert many.undecided.tolist() == [w in open_[2:] for w in frequencies]
     by_balls, undecided = ((many.remarks & remark != 0).tolist() for remark in (Remark.BY_BALLS, Remark.UNDECIDED))

@@ -17,7 +17,7 @@ from slowflow import derive
 from slowflow.app.cli import main
 from slowflow.exact import steady_state, sweep
 from tests.files import ROOT
-from tests.oracles.exact_reference import again
+from tests.oracles.exact_reference import ScipyIntegrator, again
 
 PAGE = ROOT / "docs" / "mechanisms.md"
 F = mp.mpf
@@ -102,7 +102,7 @@ def test_states_on_both_sides_have_their_forces_harmonics(name):
 
 
 @pytest.mark.slow
-def test_library_motions_are_independent_and_the_same_in_threads(integrator):
+def test_library_motions_are_independent_and_the_same_in_threads():
     """On both sides of the bend: to 1e-10 times the motion's condition, and of all threads the same digits.
 
     A sweep to that single frequency converges to them.
@@ -122,7 +122,7 @@ def test_library_motions_are_independent_and_the_same_in_threads(integrator):
     for name, found in [*single.items(), *beyond.items()]:
         assert found.residual <= 1e-14, name
         assert sweep(systems[name], Omega=[found.Omega], F_0=found.F_0).A[0] == found.A, name
-        other = again(found, integrator)
+        other = again(found, ScipyIntegrator())
         condition = 1.0 / (1.0 - np.max(np.abs(found.multipliers)))
         assert abs(other.A - found.A) <= 1e-10 * condition * found.A, name
         assert np.max(np.abs(other.multipliers - found.multipliers)) <= 1e-10 * condition, name

@@ -120,7 +120,7 @@ def test_a_store_says_what_is_in_it(tmp_path):
     status = found["status"].attrs
     assert status["flag_values"] == [-1, *Status]
     assert status["flag_meanings"].split() == ["NOT_YET", *(code.name for code in Status)]
-    assert "3  NONE" in status["meaning"] and "there is none" in status["meaning"]
+    assert "3  NONE" in status["meaning"] and "no such result" in status["meaning"]
     assert found["kind"].attrs["flag_meanings"].split() == [code.name for code in FoldKind]
     masks = dict(
         zip(found["remarks"].attrs["flag_meanings"].split(), found["remarks"].attrs["flag_masks"], strict=True)

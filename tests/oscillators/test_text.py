@@ -41,7 +41,7 @@ def strings(path):
             documents = isinstance(above, ast.Expr) or "__doc__" in ast.unparse(
                 getattr(above, "targets", [ast.Pass()])[0]
             )
-            names = isinstance(above, ast.Call) and ast.unparse(above.func) == "entry"  # columns, and a docstring
+            names = isinstance(parents.get(above), ast.ClassDef)  # columns of a table's entry
             if not (documents or names):
                 yield node.value
 
