@@ -6,7 +6,9 @@ import mpmath as mp
 import numpy as np
 import pytest
 
-from slowflow import Isolator
+from slowflow import Duffing, Isolator
+from slowflow.answers.results import Remark
+from slowflow.averaged import proofs
 from tests.sampling import slow
 from tests.slopes import assert_slopes_are_differences
 
@@ -85,3 +87,63 @@ def test_onset_at_a_jump_of_the_slope_is_the_lowest_forcing():
     one = Isolator(**numbers, force="untruncated", load=-0.00315820991077285)
     onset = one.saddle_node_onset().F_SN
     assert [len(one.saddle_nodes(onset * (1 + change))) > 0 for change in (-1e-9, 1e-9)] == [False, True]
+
+
+#: with the untruncated force onsets are next to a kink of the slope, where the second fold is within what is rounded
+JUST_ABOVE = [
+    Isolator(lam=3, r=1.4015379083224386, delta_h=0.05, zeta=0.0744492629009588, load=-0.003, force="untruncated"),
+    Isolator(lam=3, r=0.608, delta_h=0.054, mu=0.002, zeta=0.0306, load=-0.00325, force="untruncated"),
+    Isolator(lam=3, r=1.6, delta_h=0.0366, mu=0.002, zeta=0.062, load=0.000628, force="untruncated"),
+    Isolator(**TABLE_1, load=0.1),
+    Duffing(alpha=0.5, beta=1.0, mu=0.002, zeta=0.05, load=0.02),
+]
+
+
+@pytest.mark.parametrize("one", [JUST_ABOVE[0], *slow(*JUST_ABOVE[1:])], ids=repr)
+def test_just_above_an_onset_folds_are_two_or_undecided(one):
+    onset, decided = one.saddle_node_onset().F_SN, []
+    for change in (1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3):
+        folds = one.saddle_nodes(onset * (1 + change))
+        decided.append(Remark.UNDECIDED not in folds.remarks)
+        assert len(folds) == 2 if decided[-1] else len(folds) <= 2
+        assert decided[-1] or "undecided" in folds.message
+    assert decided[-2:] == [True, True]
+
+
+def test_undecided_folds_are_undecided_in_what_rests_on_them():
+    """Next to an onset on a corner none may be proved, and none excluded."""
+    one, unproved = Isolator(**TABLE_1, load=0.1), 0
+    for F_0 in one.saddle_node_onset().F_SN * (1 + 1e-15 * np.arange(-16, 9)):
+        folds = one.saddle_nodes(F_0)
+        if Remark.UNDECIDED in folds.remarks and not len(folds):
+            unproved += 1
+            for found in (one.frequency_response(F_0, samples=60), one.isolation(F_0), one.hysteresis(F_0)):
+                assert Remark.UNDECIDED in found.remarks and folds.message in found.message
+    assert unproved
+
+
+@pytest.mark.parametrize(
+    "one",
+    [Duffing(alpha=0.25, beta=-1.0, mu=0.01, zeta=0.03), Isolator(lam=1.79, r=2.38, delta_h=0.24, mu=0.012, zeta=0.05)],
+)
+def test_folds_undecided_about_the_centre_are_undecided_off_it(monkeypatch, one):
+    """As without python-flint, which decides more: those about the centre are among all motions."""
+    monkeypatch.setattr(proofs, "in_balls", lambda: None)
+    onset, marked = one.saddle_node_onset().F_SN, []
+    for F_0 in onset * (1 + 1e-15 * np.arange(-3, 4)):
+        if Remark.UNDECIDED in one.saddle_nodes(F_0).remarks:
+            found = [one.off_centre.saddle_nodes(F_0), one.off_centre.isolation(F_0)]
+            marked += [Remark.UNDECIDED in each.remarks and "not resolved" in each.message for each in found]
+            assert "single-valued" not in found[0].message
+    assert marked and all(marked)
+
+
+def test_response_undecided_about_the_centre_is_undecided_off_it(monkeypatch):
+    monkeypatch.setattr(proofs, "in_balls", lambda: None)
+    one, marked = Isolator(**TABLE_1), []
+    assert one.off_centre._keeps_centre
+    for F_0 in one.saddle_node_onset().F_SN * (1 + 1e-15 * np.arange(-3, 4)):
+        known, found = (of.frequency_response(F_0, samples=60) for of in (one, one.off_centre))
+        if Remark.UNDECIDED in known.remarks:
+            marked.append(Remark.UNDECIDED in found.remarks)
+    assert marked and all(marked)

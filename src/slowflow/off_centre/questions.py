@@ -293,10 +293,11 @@ class OffCentre(Unchanging, ComposedQuestions):
             positions = np.stack((folds.Omega, folds.A, folds.mean))[:, off]
             slow = Slow(self._steps, self._flow, F_0)
             found = curves(slow, positions, partial(self._off, F_0=F_0), (low, high), samples)
-            notes = _Notes(folds.message, folds.remarks) if len(folds) else notes
+            notes = _of_folds(folds)
         if self._complete.has_centre:
             centred = Averaged(self._model).frequency_response(F_0, samples=samples, Omega=(low, high))
             found = found.behind(Curves(centred.Omega, centred.A, 0 * centred.A, centred.branch, centred.isola))
+            notes = notes.combine(_of_centred(centred))
         return self._response(found, F_0, notes)
 
     def _off(self, Omega: Floats, F_0: float) -> tuple[Floats, Ints]:
@@ -341,11 +342,12 @@ class OffCentre(Unchanging, ComposedQuestions):
         corners, kinds, undecided = self._complete.corners(F_0)
         x, open_ = (np.concatenate(pair, axis=1) for pair in ((found.x, corners), (found.undecided, undecided)))
         kind = np.array([""] * found.x.shape[1] + kinds)
-        some = x.size or open_.size or (centred is not None and len(centred))
-        notes = _Notes("" if some else messages.NO_FOLD.format(F_0))
+        notes = _Notes() if centred is None else _of_centred(centred)
         if open_.size:
             folds = _listed(UNDECIDED_FOLDS, np.unique(np.round(open_[0], 12)))
             notes = notes.combine(_Notes(folds, Remark.UNDECIDED))
+        if not (x.size or notes.remarks or (centred is not None and len(centred))):
+            notes = _Notes(messages.NO_FOLD.format(F_0))
         return self._folds(x, kind, F_0, notes, centred)
 
     @_kept
@@ -456,7 +458,7 @@ class OffCentre(Unchanging, ComposedQuestions):
         last, is_proved = self._reach.last_transmitting(F_0, level, Omega)
         if last is not None:
             Omega, A, B = last.Omega, last.A, last.B
-        notes = _Notes(folds.message, folds.remarks) if len(folds) else _Notes()
+        notes = _of_folds(folds)
         if A is not None:
             notes = notes.combine(self._beyond_reach(A, B))
         elif is_proved:
@@ -543,6 +545,18 @@ class OffCentre(Unchanging, ComposedQuestions):
             extra = [f"excitation = {self._model.excitation!r}"] * self._model.inertial
             causes = together(", ", (*extra, *([self._model.laws.description()] if self._model.laws.any else [])))
             raise validate.NotAvailable(BY_ITSELF.format(question, causes))
+
+
+def _of_folds(folds: SaddleNodes) -> _Notes:
+    """What folds have to bear in mind, found or not: that there are none is no remark, that some are undecided is."""
+    return _Notes(folds.message, folds.remarks) if folds.remarks else _Notes()
+
+
+def _of_centred(centred: SaddleNodes | FrequencyResponse) -> _Notes:
+    """What an answer about the centre leaves undecided; its other remarks are of motions that leave the centre."""
+    if Remark.UNDECIDED not in centred.remarks:
+        return _Notes()
+    return _Notes(diagnostics.MESSAGES[Remark.UNDECIDED].format(), Remark.UNDECIDED)
 
 
 def _listed(sentence: Sentence, values: Floats) -> str:
