@@ -353,7 +353,7 @@ static inline int sf_count(const sf_isolated *q) {
     return sf_places(q->exist, q->f0 < 0, q->f1 > 0, q->f2 < 0, place);
 }
 
-static double sf_root_at(const sf_isolated *q, sf_place place) {
+SF_ALWAYS double sf_root_at(const sf_isolated *q, sf_place place) {
     const sf_quartic *s = &q->s;
     if (q->exist && q->w1 == 0 && (place == SF_BETWEEN || place == SF_ABOVE)) { /* biquadratic: closed form */
         const double twice_S = 2 * sqrt(-q->f2 / (s->k * s->A));
@@ -381,7 +381,7 @@ static double sf_root_at(const sf_isolated *q, sf_place place) {
 }
 
 /* All of them with their multiplicity: pairs that touch are two, and where maximum and minimum coincide there are three. */
-static int sf_all_roots(const sf_isolated *q, double Omega[3]) {
+SF_ALWAYS int sf_all_roots(const sf_isolated *q, double Omega[3]) {
     sf_place place[3];
     int n = sf_places(q->exist, q->f0 < 0, q->f1 > 0, q->f2 < 0, place);
     if (q->exist && q->f1 == 0 && q->w1 > 0)
