@@ -227,7 +227,7 @@ def equations(where: str, rows: list[Row], facts: Facts) -> Iterator[str]:
         if len(readings) > 1 and not literal:
             own, *others = (in_markdown(one.quantity.partition(" [")[2][:-1]) for one in (row, *readings.values()))
             others = [other for other in others if other != own]
-            tried = f"The reading that holds: {own}; not: {', nor: '.join(others)}."
+            tried = f"The proved reading: {own}; not proved: {', nor: '.join(others)}."
             yield from (f"Our text of the paper is damaged here. {tried}", "")
 
 

@@ -35,7 +35,7 @@ def formula_rows(facts: Facts) -> list[Row]:
             verdict, evidence = judgement.verdict, [by, subject.remark]
             if verdict == DIFFERS and agreeing and not subject.literal:
                 verdict = AMBIGUOUS
-                evidence.append(f"The reading that holds: {agreeing[0].reading}.")
+                evidence.append(f"The proved reading: {agreeing[0].reading}.")
             if judgement.factor:
                 evidence.append(f"It is the derived expression times {judgement.factor}.")
             rows.append(

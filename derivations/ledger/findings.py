@@ -113,7 +113,7 @@ def _findings(facts: Facts, evidence: dict[str, str]) -> list[Finding]:
             "(33) itself is right: degree 36, even powers, one irreducible factor. "
             + evidence["claim:minimum_root"]
             + " Elimination cannot see the sign of Ω: a root of the resultant is a candidate, to be checked in F_A = "
-            "F_AA = 0. The printed F_SN = 0.0217 belongs to the second root. (34) is alike: "
+            "F_AA = 0. The printed F_SN = 0.0217 belongs to the second root. (34) is similar. "
             + evidence["claim:resultant_even_6"].partition("Three")[1]
             + evidence["claim:resultant_even_6"].partition("Three")[2]
             + " And where the preload is small (33) does not name the onset: there is an inflection point below u_cr o"

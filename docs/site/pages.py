@@ -144,7 +144,7 @@ def reference(folder: Path) -> None:
     pages: dict[str, list[str]] = {}
     for module in MODULES:
         begin = EXAMPLES.get(module, {}).get("begin", "")
-        first = ["Examples here begin with these lines too:", "", *block(begin)] if begin else []
+        first = ["Examples on this page also begin with these lines:", "", *block(begin)] if begin else []
         here, elsewhere, pages[module] = [], [], [module.replace(".", "_")]
         for name, value in public(import_module(module)):
             there = home(name, value)

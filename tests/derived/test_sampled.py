@@ -202,8 +202,8 @@ def test_it_says_what_it_is():
     made = mechanism("pendulum", reach_reason="it stands on its head")
     assert repr(made).endswith("; a Python function: by its values")
     one = made(k=1.0, **DAMPING)
-    assert "a Python function, by 32 of its values" in str(one.explain("saddle_nodes", 0.05))
-    assert "a Python function, by 32 of its values" in str(one.explain("saddle_node_onset"))
+    assert "a Python function, interpolated at 32 points" in str(one.explain("saddle_nodes", 0.05))
+    assert "a Python function, interpolated at 32 points" in str(one.explain("saddle_node_onset"))
     assert "it stands on its head" in one.amplitudes(Omega=0.5, F_0=2.5).message
     with pytest.raises(NotAvailable, match="whose derivatives with respect to the parameters are unknown"):
         one.saddle_node_onset().gradient()

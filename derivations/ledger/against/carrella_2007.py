@@ -162,5 +162,5 @@ def claims(derived: Derived) -> Claims:
             f"The excursion is largest for arccos γ = {significant(least, 4)}° at K_o = 0.001, {significant(most, 4)}° "
             "at K_o = 1, the stiffness of the vertical spring alone.",
         ),
-        "cubic": (LOOSE, "Nothing says up to which displacement: see (28) and (29)."),
+        "cubic": (LOOSE, "No range of displacements is stated: see (28) and (29)."),
     }

@@ -130,6 +130,6 @@ def claims(derived: Derived) -> Claims:
         "exponential": (
             TRUE if at_peak and decays else FALSE,
             "At the peak γ = π/2, where ∂a'/∂γ = 0: a disturbance of a decays by itself, as exp(−εμt). One of the "
-            "phase, which a drives, does so as t exp(−εμt): the eigenvalue is double.",
+            "phase, driven by that of a, decays as t exp(−εμt): the eigenvalue is double.",
         ),
     }

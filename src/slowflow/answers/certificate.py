@@ -98,7 +98,7 @@ class Certificate(Answer):
 
     @property
     def proved(self) -> bool:
-        """Whether everything in it is proved."""
+        """Whether all of its statements are proved."""
         proofs = (self.saddle_nodes, self.saddle_node_onset, self.detachment, self.amplitudes)
         return all(part.proved for part in proofs if part is not None)
 

@@ -46,7 +46,7 @@ class Remark(IntFlag):
     OF_TRUNCATION = 16
     #: below the onset there are folds that end at Omega = 0, or with a preload at A = 0
     FOLDS_AT_REST = 32
-    #: a preload, or friction that ends at u_cr, holds a mass at rest; the motions coexist with that
+    #: a preload, or friction that ends at u_cr, holds a mass at rest; the motions coexist with that equilibrium
     HELD_AT_REST = 64
     #: folds or states nearly merge: neither double precision nor a proof resolves their number, or folds have few
     #: digits

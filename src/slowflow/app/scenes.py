@@ -196,7 +196,7 @@ class Asked:
 
     @property
     def cost(self) -> str:
-        """Its entry in `measured.costs`: the question, for tolerances also their kind."""
+        """Key of its measured time in `costs.COSTS`: the question, and for tolerances the load case."""
         if self.question != "tolerances":
             return self.question
         of = {"spectrum": "in a spectrum", "shock": "in a shock", **dict.fromkeys(FREQUENCIES, "at a frequency")}

@@ -1,6 +1,7 @@
 """The averaged questions about offset motions. Takes a force as steps with damping and load; returns states with B.
 
-The motion is u = B + A cos psi, with the balance of the mean f_0(A, B) = 0. Every answer is complete (see `complete`).
+The motion is u = B + A cos psi, with the balance of the mean f_0(A, B) = 0. `slowflow.off_centre.complete`
+makes every answer complete.
 """
 
 from __future__ import annotations

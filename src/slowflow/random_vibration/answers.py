@@ -130,7 +130,7 @@ class ByEnergy(Single):
 
     u_rms, v_rms, a_rms -- as in `RandomResponse`
     beyond   -- fraction of the time beyond the first breakpoint, NaN if there is none
-    kurtosis -- of u: 3 of a Gaussian motion
+    kurtosis -- of u: 3 for a Gaussian motion
     """
 
     u_rms: float

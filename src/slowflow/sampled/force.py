@@ -328,7 +328,7 @@ OF_DESIGNS: dict[str, Callable[[Force], Sequence[float]]] = {
 OF_ONE: dict[str, Callable[[Force], Any]] = {
     "samples": lambda force: force.samples,
     "told": lambda force: (
-        f"a Python function, by {force.points} of its values, error {force.error:.1g}; sums over polynomials"
+        f"a Python function, interpolated at {force.points} points with error {force.error:.1g}; averages are sums"
     ),
 }
 #: how many outputs averages have; of a piece which derivative it is

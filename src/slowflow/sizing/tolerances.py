@@ -71,7 +71,7 @@ class Tolerances(Table, entry="Tolerance"):
 class Sobol(Table, entry="Index"):
     """Sobol' indices: the fraction of an answer's variance due to a parameter; NaN if some samples have no answer.
 
-    first, total -- by itself, and including interactions with others
+    first, total -- index of the parameter alone, and index that includes its interactions with others
     first_error, total_error -- half width of their 95 % intervals
     """
 

@@ -111,7 +111,7 @@ class Curved(NamedTuple):
 class Mechanism:
     """A restoring force u + F_k(u), its average and its parameters. Records compare by value.
 
-    name, title -- name of the generated module, and a description of one line
+    name, title -- name of the generated module, and a one-line description
     design      -- parameters of the design, without those of damping
     parameters  -- arguments of the functions below, in their order
     coefficients -- function of the design that returns the parameters (5), (7)
