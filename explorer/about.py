@@ -49,12 +49,12 @@ LIBRARY: tuple[tuple[str, str, Mapping[str, float], float, float], ...] = (
     ("Three springs", "three_spring", {"alpha": 1.0, "ell": 1.5, "mu": 0.0, "zeta": 0.03}, 0.006, WINDOW[1]),
     ("Cams and rollers", "cam_roller", {"r": 0.8, "rho": 0.8, "c": 0.1, "mu": 0.003, "zeta": 0.03}, 0.04, WINDOW[1]),
 )
-#: what excites, in the page's words
+#: kinds of excitation, as the page names them
 EXCITED_BY = {
-    "force": "a force",
-    "base": "a base that shakes",
-    "acceleration": "a base's acceleration",
-    "unbalance": "an unbalance",
+    "force": "force",
+    "base": "base displacement",
+    "acceleration": "base acceleration",
+    "unbalance": "rotating unbalance",
 }
 #: the mount of the README, in SI units
 MOUNT: Physical = Isolator.physical(

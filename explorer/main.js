@@ -294,7 +294,7 @@ function buildFields() {
   const of = (list) => list.map((one) => field(one.name, one.doc, letter(one.name), measure(state, one.name).unit)).join("");
   const about = DATA.mechanisms[state.mechanism];
   $("fields").innerHTML =
-    `<fieldset><legend>Excited by</legend>${excitationPicker(state)}${of([DATA.excitations[state.excitation]])}</fieldset>` +
+    `<fieldset><legend>Excitation</legend>${excitationPicker(state)}${of([DATA.excitations[state.excitation]])}</fieldset>` +
     `<fieldset><legend>Random vibration of the base</legend><div class="field"><label for="psd">PSD</label>
 <input id="psd" type="text" autocomplete="off" spellcheck="false" placeholder="${state.si ? "1 1e-5; 100 1e-7" : "0.5 1e-4; 5 1e-5"}" title="points of a one-sided density: frequency and density; straight in log-log between them${state.si ? "" : ", or the density of white noise alone"}">
 <span class="unit">${state.si ? "Hz g²/Hz; …" : `${letter("Omega")} G; …`}</span></div></fieldset>` +
