@@ -81,15 +81,15 @@ def test_a_name_is_set_as_the_paper_has_it() -> None:
 def test_failed_claim_names_equation_sides_and_difference() -> None:
     x = sp.Symbol("x")
     with pytest.raises(
-        Unproved, match=r"\(30\): not shown: a square\n +left +x\*\*2\n +right +x\n +difference x\*\(x - 1\)"
+        Unproved, match=r"\(30\): not shown: a wrong square\n +left +x\*\*2\n +right +x\n +difference x\*\(x - 1\)"
     ):
-        claim("a square", x**2, x, eq="(30)")
+        claim("a wrong square", x**2, x, eq="(30)")
     with pytest.raises(Unproved, match="beside the paper: not shown: a sign"):
         claim("a sign", False)
-    assert "a square" not in proved_page()
+    assert "a wrong square" not in proved_page()
 
 
 def test_what_is_proved_on_the_way_is_kept(results: Results) -> None:
-    assert PROVED["paper.slow_flow"]["F_A = 8 A Omega^2 det(D_q Gamma)"] == "(30)"
+    assert PROVED["paper.slow_flow"]["`F_A = 8 A Omega^2 det(D_q Gamma)`"] == "(30)"
     assert {"paper.equation_of_motion", "systems.along", "extensions.inertia"} <= PROVED.keys()
     assert "- (30): `F_A = 8 A Omega^2 det(D_q Gamma)`" in proved_page()

@@ -200,9 +200,7 @@ class Asked:
         if self.question != "tolerances":
             return self.question
         of = {"spectrum": "in a spectrum", "shock": "in a shock", **dict.fromkeys(FREQUENCIES, "at a frequency")}
-        return next(
-            (f"tolerances {load_case}" for name, load_case in of.items() if name in self.arguments), "tolerances"
-        )
+        return next((f"tolerances {case}" for name, case in of.items() if name in self.arguments), "tolerances")
 
     def content(self, answer: Answer) -> dict[str, Any]:
         """Query and answer, as plain Python."""
