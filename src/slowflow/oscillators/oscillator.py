@@ -16,7 +16,6 @@ from slowflow.answers.answer import joined, sentences
 from slowflow.answers.certificate import Certificate
 from slowflow.answers.results import Remark, SaddleNodeOnset
 from slowflow.answers.table import SHOCKS
-from slowflow.averaged import checks
 from slowflow.averaged.composed import ComposedQuestions
 from slowflow.averaged.plan import OFF_CENTRE, plan_off_centre
 from slowflow.averaged.questions import Averaged
@@ -30,6 +29,7 @@ from slowflow_kernels.domains import EXCITATIONS
 
 if TYPE_CHECKING:
     from slowflow import exact
+    from slowflow.averaged import checks
     from slowflow.averaged.plan import Plan
     from slowflow.core.mechanism import Reals
     from slowflow.exact.questions import Motions
@@ -555,6 +555,8 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
 
         Raises ValueError under a load, and for a force that is not odd: `rest` has the equilibria.
         """
+        from slowflow.averaged import checks
+
         self.at_centre("at_rest")
         return checks.at_rest(self)
 
