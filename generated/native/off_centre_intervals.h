@@ -5,7 +5,7 @@
    Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
    Each output holds every value that the function of the same name takes on the arguments; `out` takes the outputs.
-   Equations and domains that are not said here are those of off_centre.h. */
+   Equations and domains that are not stated here are those of off_centre.h. */
 
 #ifndef OFF_CENTRE_INTERVALS_H
 #define OFF_CENTRE_INTERVALS_H

@@ -5,7 +5,7 @@
    Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
    Each output holds every value that the function of the same name takes on the arguments; `out` takes the outputs.
-   Equations and domains that are not said here are those of rod_spring.h.
+   Equations and domains that are not stated here are those of rod_spring.h.
    passed: how many breakpoints the amplitude exceeds; beyond: by how much it exceeds the last of these. */
 
 #ifndef ROD_SPRING_INTERVALS_H

@@ -6,7 +6,7 @@
    Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
    `out` takes the outputs, where there are several.
-   Equations and domains that are not said here are those of rod_spring_untruncated.h. */
+   Equations and domains that are not stated here are those of rod_spring_untruncated.h. */
 
 #ifndef ROD_SPRING_UNTRUNCATED_PAIRS_H
 #define ROD_SPRING_UNTRUNCATED_PAIRS_H

@@ -5,7 +5,7 @@
    Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
    `out` takes the outputs, where there are several.
-   Equations and domains that are not said here are those of slow_flow.h. */
+   Equations and domains that are not stated here are those of slow_flow.h. */
 
 #ifndef SLOW_FLOW_PAIRS_H
 #define SLOW_FLOW_PAIRS_H

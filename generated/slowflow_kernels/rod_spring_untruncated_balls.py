@@ -8,7 +8,7 @@ Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
 Arguments are `flint.arb`, or numbers that are exact; each output holds the value of the function of the same name,
 to the digits of `flint.ctx`. passed_n is meant where A exceeds n breakpoints; beyond: by how much it exceeds the
-last of these. Equations and domains that are not said here are those of rod_spring_untruncated.py.
+last of these. Equations and domains that are not stated here are those of rod_spring_untruncated.py.
 """
 
 # a formatter would spread each polynomial over a page

@@ -5,7 +5,7 @@ Input: none but the equation of motion in derivations/paper/averaging.py, deriva
 Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
 Each output holds every value that the function of the same name takes on the arguments: objects with operators and
-the methods `square` and `sqrt`. Equations and domains that are not said here are those of slow_flow_mu0.py.
+the methods `square` and `sqrt`. Equations and domains that are not stated here are those of slow_flow_mu0.py.
 """
 
 # a formatter would spread each polynomial over a page

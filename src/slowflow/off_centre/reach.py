@@ -41,7 +41,8 @@ MOST_BOXES, MIDDLES, STEPS = 100_000, 64, 10
 EVERY = 3
 #: share of a frequency beyond which it is proved that nothing transmits a level
 BEYOND = 2.0**-16
-#: by how much A and B change for the slopes of a frequency, beside A + |B|: they set only how fast Newton's method is
+#: by how much A and B change for the slopes of a frequency, relative to A + |B|: only the speed of Newton's method
+#: depends on it
 NEAR = 2.0**-26
 #: by how much a forcing may be off by rounding
 AT = 2.0**-40

@@ -90,7 +90,7 @@ def module_of(module: Module, kernels: Sequence[KernelView], imports: Sequence[s
 
 
 def in_doubles(module: Module) -> set[str]:
-    """The kernels whose equations and domains are said where they are evaluated in doubles."""
+    """The kernels whose equations and domains are stated where they are evaluated in doubles."""
     return {kernel.name for kernel in module.kernels}
 
 

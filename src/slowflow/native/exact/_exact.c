@@ -383,11 +383,11 @@ static PyObject *trace(PyObject *self, PyObject *arguments)
         sf_forced forced = {system, 0.0, F_0, left};
         const sf_cycle cycle = {k, signature.buf, half_turns, half_turns % 2 ? -1 : 1};
         const double *const z = points.buf, *const begin = first.buf;
-        trail.last = (sf_place){z, z + size};
+        trail.last = (sf_curve_point){z, z + size};
         if (points.len > place)
-            trail.before = (sf_place){z + 2 * size, z + 3 * size};
+            trail.before = (sf_curve_point){z + 2 * size, z + 3 * size};
         if (first.len)
-            course.first = (sf_place){begin, begin + size};
+            course.first = (sf_curve_point){begin, begin + size};
         sf_equations found = sf_equations_in(work + of_newton + 3 * (size_t)size, at, k);
         sf_phases phases = {0};
         sf_pause pause;

@@ -25,10 +25,9 @@ enum { SF_IN_PART = 2 * SF_NODES };
 #define SF_LEAST_RATIO 0x1p-40
 /* of k over the square of a table's lowest frequency, below which it does not matter; by how much I_0 may change there */
 #define SF_SOFT 1e-6
-/* of ln(Omega): from where on a band is far from a pole; by how much -ln Z rises there with p, 2/(1 - exp(-2 SF_FAR_BAND)) - 1,
- * at a constant damping ratio */
+/* of ln(Omega): from where on a band is far from a pole; by how much -ln Z rises there with p at a constant damping ratio */
 #define SF_FAR_BAND 0.5
-#define SF_FAR_RISES 2.164
+#define SF_FAR_RISES (2.0 / (1.0 - exp(-2.0 * SF_FAR_BAND)) - 1.0)
 enum { SF_TRIALS = 5, SF_MOST_HALVINGS = 20, SF_FIRST_HALVINGS = 10 };
 /* how much of a cell may be left where its bounds say so, or it is cut */
 #define SF_SHRINKS 0.5
@@ -223,7 +222,7 @@ static sf_steepness sf_steepness_within(double p, double q, const double r[2])
     return (sf_steepness){{-down, most}, {of_p, of_q, of_p + 0.5 * of_q}};
 }
 
-static inline void sf_narrow(sf_ends *to, double low, double high)
+static inline void sf_intersect(sf_ends *to, double low, double high)
 {
     to->low = fmax(to->low, low), to->high = fmin(to->high, high);
 }
@@ -245,7 +244,7 @@ static void sf_slopes_within(const sf_table *table, const sf_moments *at, double
         double jumps[2], tried = 0.0;
         by[SF_BY_P] = any.by_p, by[SF_BY_Q] = (sf_ends){-2.0, 0.0}, by[SF_AT_RATIO] = (sf_ends){-HUGE_VAL, HUGE_VAL};
         for (int n = 0; n < 3; n++)
-            sf_narrow(&by[n], there[n] - any.differ[n], there[n] + any.differ[n]);
+            sf_intersect(&by[n], there[n] - any.differ[n], there[n] + any.differ[n]);
         sf_jumps_within(table, i, at->value[i], &k, 0.5 * exp(q - 0.5 * p - r[1]), jumps);
         for (int n = 0; n < SF_TRIALS; n++) {
             const double less = exp(tried * r[0] + 2.0 * r[1]);
@@ -255,15 +254,15 @@ static void sf_slopes_within(const sf_table *table, const sf_moments *at, double
             if (fmax(-least, most) <= tried) {
                 const double varies = 0.5 * (near.high - near.low) + far * apart + 2.0 * less * (jumps[0] + jumps[1]);
                 const double shift = varies * r[0] + r[1];
-                sf_narrow(&by[SF_AT_RATIO], least, most);
-                sf_narrow(&by[SF_BY_Q], there[SF_BY_Q] - shift, there[SF_BY_Q] + shift);
+                sf_intersect(&by[SF_AT_RATIO], least, most);
+                sf_intersect(&by[SF_BY_Q], there[SF_BY_Q] - shift, there[SF_BY_Q] + shift);
                 break;
             }
             tried = 1.1 * fmax(-least, most);
         }
         const sf_ends of_q = by[SF_BY_Q], of_p = by[SF_BY_P];
-        sf_narrow(&by[SF_BY_P], by[SF_AT_RATIO].low - 0.5 * of_q.high, by[SF_AT_RATIO].high - 0.5 * of_q.low);
-        sf_narrow(&by[SF_AT_RATIO], of_p.low + 0.5 * of_q.low, of_p.high + 0.5 * of_q.high);
+        sf_intersect(&by[SF_BY_P], by[SF_AT_RATIO].low - 0.5 * of_q.high, by[SF_AT_RATIO].high - 0.5 * of_q.low);
+        sf_intersect(&by[SF_AT_RATIO], of_p.low + 0.5 * of_q.low, of_p.high + 0.5 * of_q.high);
     }
 }
 
@@ -361,13 +360,13 @@ static void sf_slope_within(const sf_under_table *of, const sf_equivalent *at, c
         const sf_ends ratio_by_p = sf_ends_of_product((sf_ends){drives.low - 0.5, drives.high - 0.5}, over);
         const sf_ends ratio_by_u = sf_ends_of_product(own, over);
         sf_ends q_by_p = sf_ends_of_product(sf_ends_of_product(D, I_2[SF_BY_P]), over);
-        sf_narrow(&q_by_p, ratio_by_p.low + 0.5, ratio_by_p.high + 0.5);
+        sf_intersect(&q_by_p, ratio_by_p.low + 0.5, ratio_by_p.high + 0.5);
         const sf_ends change = {q_by_p.low - 0.5, q_by_p.high - 0.5};
         const double goes = sf_steepest_of(change) * r[0] + sf_steepest_of(ratio_by_u) * r[1];
         if (goes <= apart) { /* the ratio does not leave the box */
             const sf_ends by_q = sf_ends_of_product(q_by_p, I_0[SF_BY_Q]), by_ratio = sf_ends_of_product(change, I_0[SF_BY_Q]);
             *by_p = (sf_ends){I_0[SF_BY_P].low + by_q.low, I_0[SF_BY_P].high + by_q.high};
-            sf_narrow(by_p, I_0[SF_AT_RATIO].low + by_ratio.low, I_0[SF_AT_RATIO].high + by_ratio.high);
+            sf_intersect(by_p, I_0[SF_AT_RATIO].low + by_ratio.low, I_0[SF_AT_RATIO].high + by_ratio.high);
             *by_u = sf_ends_of_product(ratio_by_u, I_0[SF_BY_Q]);
             return;
         }

@@ -10,7 +10,7 @@
 /* A point, unknowns and tangent. */
 typedef struct {
     const double *z, *tangent;
-} sf_place;
+} sf_curve_point;
 
 /* Where the curve may go, and with what steps; steps of u_0 are a share of its size, of `least` at least: off the
  * centre it may pass 0. `first` is the point where it began, NULL where it cannot come back to it in this order of
@@ -18,13 +18,13 @@ typedef struct {
 typedef struct {
     double low, high, step, straight, largest, least;
     int starts_from_rest;
-    sf_place first;
+    sf_curve_point first;
 } sf_course;
 
 /* The last point, and the one before, NULL where there is none; the length of the step that was tried last, and how far
  * it is from the first point. */
 typedef struct {
-    sf_place last, before;
+    sf_curve_point last, before;
     double step, travelled;
 } sf_trail;
 
@@ -78,7 +78,7 @@ static void sf_ahead(const sf_course *course, const sf_trail *trail, const doubl
                      double *out)
 {
     const double *const z = trail->last.z, *const tangent = trail->last.tangent;
-    const sf_place before = trail->before;
+    const sf_curve_point before = trail->before;
     double rate = 0.0, far = 0.0, passed = 0.0;
     for (long j = 0; before.z != NULL && j < size; j++) {
         const double measure = sf_weight(course, before.z, j, size) * before.tangent[j];
@@ -158,7 +158,7 @@ static long sf_trace(sf_forced *forced, const sf_cycle *cycle, const sf_course *
         const int closes = course->first.z != NULL && trail->travelled > 10.0 * course->step &&
                            sf_closes(course, z, next, size, way);
         const int turns = direction[size - 1] * tangent[size - 1] < 0.0 || found->A > course->largest;
-        trail->before = trail->last, trail->last = (sf_place){out, out + size};
+        trail->before = trail->last, trail->last = (sf_curve_point){out, out + size};
         *pause = closes ? SF_CLOSES : turns ? SF_TURNS : SF_FULL;
         if (++count == room || closes || turns)
             return count;
