@@ -21,6 +21,7 @@ from slowflow.answers.results import Remark
 from slowflow_kernels.conventions import GradientStatus
 from tests.files import stored
 from tests.oracles.errors import U, error
+from tests.oracles.pieces import CLOSED, STATED, a, k, names_of, u
 
 Case = dict[str, Any]
 #: of the reference's condition numbers, which have three digits
@@ -31,27 +32,7 @@ ABOVE = {"above": 0}
 #: cases of an item where a family has one force; of how many items of a family a push runs one
 TOGETHER, PART = 5, 4
 
-u, k, c, p, gap, a, b, q, d, g = sp.symbols("u k c p gap a b q d g")
-#: pieces for u > 0 and their numbers
-STATED: dict[str, tuple[list[Any], Any]] = {
-    "wave": ([(u + k * sp.sin(c * u), None)], "kc"),
-    "saturating": ([(c * u + sp.tanh(k * u), None)], "ck"),
-    "exponential": ([(k * (sp.exp(c * u) - 1), None)], "kc"),
-    "oblique": ([(u + 2 * k * u * (1 - c / sp.sqrt(c**2 + u**2)), None)], "kc"),
-    "magnets": ([(u + k * (1 / (c - u) ** 2 - 1 / (c + u) ** 2), None)], "kc"),
-    "power": ([(u + k * u**p, None)], "kp"),
-    "root": ([(u + k * u**p, None)], "kp"),
-    "preload": ([(c + k * (sp.exp(u) - 1), None)], "ck"),
-    "preload_power": ([(c + u + k * u**p, None)], "ckp"),
-    "soft_stop": ([(u, gap), (u + c * sp.tanh(k * (u - gap)), None)], ("c", "k", "gap")),
-    "hard_stop": ([(u, gap), (u + k * (sp.exp(c * (u - gap)) - 1), None)], ("k", "c", "gap")),
-    "root_stop": ([(u, gap), (u + k * (sp.sqrt(1 + c * (u - gap)) - 1), None)], ("k", "c", "gap")),
-    "contact": ([(u, gap), (u + k * (u - gap) ** 1.5, None)], ("k", "gap")),
-    "preloaded_stop": (
-        [(c + u + k * sp.sin(u), gap), (c + u + k * sp.sin(u) + 3 * sp.tanh(u - gap), None)],
-        ("c", "k", "gap"),
-    ),
-}
+q, d, g = sp.symbols("q d g")
 #: an exponential leaves the doubles before it is known to hold every motion; magnets are 4 to 5 apart
 REACH = {name: {"reach": 8.0} for name in ("exponential", "preload", "hard_stop")} | {"magnets": {"reach": 3.9}}
 #: of the library, with the design that a case's parameters are
@@ -60,17 +41,14 @@ LIBRARY = {
     "bilinear": ("bilinear", lambda parameters: {"kappa": parameters["k"], "delta": parameters["gap"]}),
     "play": ("dead_zone", lambda parameters: {"delta": parameters["gap"]}),
 }
-CLOSED = {
-    "even": ([(u + a * u**2 + b * u**3, None)], {"a": {}, "b": ABOVE}),
-    "preload": ([(c + u + b * u**3, None)], {"c": ABOVE, "b": ABOVE}),
-}
+DOMAINS = {"even": {"a": {}, "b": ABOVE}, "preload": {"c": ABOVE, "b": ABOVE}}
 BENT = ([(a * u, g), (a * u + k * (u - g), None)], {"a": ABOVE, "k": {}, "g": {}})
 CURVED = dict.fromkeys("kqd", ABOVE)
 #: off the centre: that bend on one side, have an even part, or are odd under a load
 OFF_CENTRE = {
     "stop": BENT,
     "springs": BENT,
-    "even": ([(u + a * u**2 + b * u**3, None)], {"a": {}, "b": ABOVE}),
+    "even": (CLOSED["even"], DOMAINS["even"]),
     "exponential": ([(k * u + q * (sp.exp(u / d) - 1), None)], CURVED),
     "hyperbolic": ([(k * u + q * sp.sinh(u / d), None)], CURVED),
 }
@@ -84,9 +62,8 @@ def numbers(case: Case) -> dict[str, float]:
 @functools.cache
 def stated(name: str, compiled: bool) -> Any:
     """A force that is averaged by sums."""
-    pieces, parameters = STATED[name]
-    called = f"{name}_compiled" if compiled else name
-    return derive.mechanism(called, pieces, dict.fromkeys(parameters, ABOVE), compile=compiled, **REACH.get(name, {}))
+    called, domains = f"{name}_compiled" if compiled else name, dict.fromkeys(names_of(STATED[name]), ABOVE)
+    return derive.mechanism(called, STATED[name], domains, compile=compiled, **REACH.get(name, {}))
 
 
 @functools.cache
@@ -94,7 +71,7 @@ def closed(name: str, compiled: bool) -> Any:
     """One with closed averages."""
     if name in LIBRARY:
         return derive.library(LIBRARY[name][0], compile=compiled)
-    return derive.mechanism(f"{name}_closed", *CLOSED[name], compile=compiled)
+    return derive.mechanism(f"{name}_closed", CLOSED[name], DOMAINS[name], compile=compiled)
 
 
 @functools.cache
@@ -320,7 +297,7 @@ def test_certified_cases_have_folds_on_both_sides_of_an_edge():
     assert each == {**dict.fromkeys(STATED, 3), "magnets": 12, "contact": 30, **preloaded, **stops}
     assert sum(len(case["folds"]) for case in cases("stated")) > 40
     assert sum(case["onset"] is not None for case in cases("stated")) >= 15
-    assert Counter(case["force"] for case in cases("closed")) == dict.fromkeys((*LIBRARY, *CLOSED), 30)
+    assert Counter(case["force"] for case in cases("closed")) == dict.fromkeys(CLOSED, 30)
     assert all(len(case["folds"]) >= 2 for case in cases("closed"))
     assert Counter(case["force"] for case in cases("sided")) == dict.fromkeys(("stop", "springs", "even"), 12)
     assert sum(len(case["folds"]) for case in cases("sided")) == 58

@@ -18,61 +18,33 @@ from slowflow_kernels import slow_flow
 from slowflow_kernels.conventions import Status
 from tests.files import stored
 from tests.native.records import bent
+from tests.oracles.forces import FORCES as NUMBERS
+from tests.oracles.pieces import AVERAGED, c, gap, k, names_of, p, u
 from tests.sampling import slow
 from tests.slopes import assert_slopes_are_differences
 
-u, k, c, p, gap, end = sp.symbols("u k c p gap end")
 ABOVE_0 = {"above": 0}
 DAMPING = {"mu": 0.01, "zeta": 0.03}
-#: pieces for u > 0 and their numbers
+#: pieces for u > 0 and their numbers: some whose averages have forty certified digits, and more
 FORCES = {
-    "pendulum": ([(k * sp.sin(u), None)], {"k": 1.3}),
-    "preload": ([(c + k * u + u**3, None)], {"c": 0.02, "k": 1.0}),
-    "quadratic": ([(k * u + c * sp.Abs(u) * u, None)], {"k": 0.3, "c": 1.0}),
+    **{
+        name: (AVERAGED[name], NUMBERS[name][0])
+        for name in ("pendulum", "preload", "quadratic", "wave", "dead", "soft_stop", "two_stops", "hertz")
+    },
     "power": ([(k * u**p, None)], {"k": 1.0, "p": 2.5}),
-    "wave": ([(u + k * sp.sin(c * u), None)], {"k": 0.3, "c": 5.0}),
     "septic": ([(u - k * u**3 + c * u**5 - p * u**7 + u**9 / 50, None)], {"k": 1.0, "c": 0.6, "p": 0.15}),
-    "dead": ([(sp.Integer(0), gap), (k * (u - gap) ** 2, None)], {"k": 3.0, "gap": 0.1}),
-    "soft_stop": ([(u, gap), (u + c * sp.tanh(k * (u - gap)), None)], {"k": 3.0, "c": 5.0, "gap": 0.2}),
-    "two_stops": (
-        [(u, gap), (u + c * sp.tanh(k * (u - gap)), end), (u + c * sp.tanh(k * (end - gap)) + p * (u - end), None)],
-        {"k": 3.0, "c": 5.0, "gap": 0.1, "end": 0.3, "p": 4.0},
-    ),
-    "hertz": ([(u, gap), (u + k * (u - gap) ** 1.5, None)], {"k": 3.0, "gap": 0.1}),
     "numbers": ([(sp.sin(u), sp.Rational(1, 2)), (k * u, None)], {"k": 1.5}),
 }
-
-
-#: of these only the averages are asked, whose values have forty certified digits
-MORE = {
-    "preloaded_stop": ([(c + k * u, gap), (c + k * u + p * (u - gap), None)], ("c", "k", "p", "gap")),
-    "let_go": ([(c + p * u + p * u**2 - u**3, gap), (k * u, None)], ("c", "k", "p", "gap")),
-    "saturating": ([(sp.tanh(k * u), None)], ("k",)),
-    "exponential": ([(k * (sp.exp(c * u) - 1), None)], ("k", "c")),
-    "oblique": ([(u + 2 * k * u * (1 - c / sp.sqrt(c**2 + u**2)), None)], ("k", "c")),
-    "arctangent": ([(sp.atan(u / k), None)], ("k",)),
-    "hard_stop": ([(u, gap), (u + 2 * k * sp.sinh(u - gap), None)], ("k", "gap")),
-    "two_steps": (
-        [(k * sp.sin(u), gap), (p * u + (u - gap) ** 2 * sp.exp(c * u), end), (u**3 + c * u, None)],
-        ("k", "c", "p", "gap", "end"),
-    ),
-    "letting_go": ([(k * sp.sin(u), gap), (u, None)], ("k", "gap")),
-    "buffer": (
-        [(u + u**3, gap), (u + u**3 + k * (u - gap) ** sp.Rational(5, 2) * (1 + c * u), None)],
-        ("k", "c", "gap"),
-    ),
-}
-
 CASES = stored("forces")
 
 
 @functools.cache
 def derived(name, compile=False):
     """A mechanism, derived once."""
-    pieces, numbers = {**FORCES, **MORE}[name]
+    pieces = FORCES[name][0] if name in FORCES else AVERAGED[name]
     reach = {"reach": 3.1} if name == "pendulum" else {}
     full = f"{name}_in_C" if compile else name
-    return derive.mechanism(full, pieces, dict.fromkeys(numbers, ABOVE_0), compile=compile, **reach)
+    return derive.mechanism(full, pieces, dict.fromkeys(names_of(pieces), ABOVE_0), compile=compile, **reach)
 
 
 def oscillator(name, **damping):

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import functools
+
 import mpmath
 import numpy as np
 import pytest
@@ -14,13 +16,6 @@ from slowflow.off_centre.means import Steps
 u, k, g, q, d, p, z = sp.symbols("u k g q d p z")
 ABOVE = {"above": 0}
 DAMPED = {"mu": 0.005, "zeta": 0.03}
-
-
-@pytest.fixture(scope="module")
-def cushion():
-    """Free on the left and up to a gap, then ever stiffer."""
-    pieces = [(u, g), (u + q * (sp.exp((u - g) / d) - 1), None)]
-    return derive.mechanism("cushion", pieces, {"q": ABOVE, "d": ABOVE, "g": {}}, odd=False, compile=True)
 
 
 @pytest.fixture(scope="module")
@@ -181,9 +176,9 @@ def test_an_odd_force_under_a_load_is_the_same_stated_for_all_u():
 
 
 @pytest.mark.slow
-def test_its_derivation_is_told(cushion):
+def test_its_derivation_is_told():
     """It asked for the degree of each piece, which only a polynomial has."""
-    assert r"D_1\big|_{u = g} &= \frac{q}{d}" in cushion.document()
+    assert r"D_1\big|_{u = g} &= \frac{q}{d}" in moving("cushion").document()
 
 
 @pytest.mark.slow
@@ -211,60 +206,37 @@ def test_what_is_not_smooth_is_refused_with_where_it_is():
         derive.mechanism("gamma", [(sp.gamma(u), None)], {}, odd=False)
 
 
-@pytest.fixture(scope="module")
-def jumping():
-    """What differs in all at an end that moves, and jumps there."""
-    pieces = [(sp.sinh(u / q) * q, g), (u + p * sp.tanh(u / q) + p, None)]
-    return derive.mechanism("jumping_curves", pieces, {"p": {}, "q": ABOVE, "g": {}}, odd=False)
-
-
-@pytest.fixture(scope="module")
-def mirrored():
-    """Odd, with an end that moves, at which the slope jumps."""
-    pieces = [(u + k * sp.sinh(u), g), (u + k * sp.sinh(u) + q * (u - g) * sp.exp(u - g), None)]
-    return derive.mechanism("mirrored_curves", pieces, {"k": ABOVE, "q": ABOVE, "g": ABOVE})
-
-
-@pytest.fixture(scope="module")
-def cubic():
-    return Duffing
-
-
-#: the same forces once more: pieces and their slopes for u > 0, or for all u, where one ends, and whether it is odd
-BY_HAND = {
-    "jumping": (
-        lambda p, q, g: (
-            (lambda x: mpmath.sinh(x / q) * q, lambda x: mpmath.cosh(x / q)),
-            (lambda x: x + p * mpmath.tanh(x / q) + p, lambda x: 1 + p / q / mpmath.cosh(x / q) ** 2),
-        ),
-        lambda p, q, g: g,
-        False,
-    ),
+alpha, beta = sp.symbols("alpha beta")
+#: pieces by rising u, and domains: what differs in all at an end that moves, and jumps there; an odd force with an end
+#: that moves, at which the slope jumps; one that is free on the left and up to a gap, then ever stiffer; an odd cubic
+MOVING = {
+    "jumping": ([(sp.sinh(u / q) * q, g), (u + p * sp.tanh(u / q) + p, None)], {"p": {}, "q": ABOVE, "g": {}}),
     "mirrored": (
-        lambda k, q, g: (
-            (lambda x: x + k * mpmath.sinh(x), lambda x: 1 + k * mpmath.cosh(x)),
-            (
-                lambda x: x + k * mpmath.sinh(x) + q * (x - g) * mpmath.exp(x - g),
-                lambda x: 1 + k * mpmath.cosh(x) + q * (1 + x - g) * mpmath.exp(x - g),
-            ),
-        ),
-        lambda k, q, g: g,
-        True,
+        [(u + k * sp.sinh(u), g), (u + k * sp.sinh(u) + q * (u - g) * sp.exp(u - g), None)],
+        {"k": ABOVE, "q": ABOVE, "g": ABOVE},
     ),
-    "cushion": (
-        lambda q, d, g: (
-            (lambda x: x, lambda x: mpmath.mpf(1)),
-            (lambda x: x + q * (mpmath.exp((x - g) / d) - 1), lambda x: 1 + q / d * mpmath.exp((x - g) / d)),
-        ),
-        lambda q, d, g: g,
-        False,
-    ),
-    "cubic": (
-        lambda alpha, beta: ((lambda x: alpha * x + beta * x**3, lambda x: alpha + 3 * beta * x**2),) * 2,
-        lambda alpha, beta: mpmath.inf,
-        True,
-    ),
+    "cushion": ([(u, g), (u + q * (sp.exp((u - g) / d) - 1), None)], {"q": ABOVE, "d": ABOVE, "g": {}}),
+    "cubic": ([(alpha * u + beta * u**3, None)], {"alpha": {}, "beta": {}}),
 }
+ODD = "mirrored", "cubic"
+
+
+@functools.cache
+def moving(name):
+    if name == "cubic":
+        return Duffing
+    return derive.mechanism(f"{name}_curves", *MOVING[name], odd=name in ODD, compile=name == "cushion")
+
+
+@functools.cache
+def by_hand(name):
+    """Each piece and its slope, by u and the numbers, and where the first one ends."""
+    pieces, domains = MOVING[name]
+    numbers = sp.symbols(list(domains))
+    forces = [[sp.lambdify((u, *numbers), one, "mpmath") for one in (f, sp.diff(f, u))] for f, _ in pieces]
+    return forces, sp.lambdify(numbers, sp.oo if len(pieces) == 1 else pieces[0][1], "mpmath")
+
+
 PARAMETERS = {
     "jumping": {"p": 0.1, "q": 0.7, "g": 0.25, "mu": 0.005, "zeta": 0.05},
     "mirrored": {"k": 0.5, "q": 2.0, "g": 0.2, "mu": 0.005, "zeta": 0.05, "load": 0.1},
@@ -273,30 +245,26 @@ PARAMETERS = {
 }
 
 
-def of_force(name, known):
-    """What its force is a function of, of all numbers that are known."""
-    return [known[one] for one in PARAMETERS[name] if one not in ("mu", "zeta", "load")]
-
-
-def mean_by_hand(name, numbers, A, B, order, weight):
+def mean_by_hand(name, known, A, B, order, weight):
     """<f cos^weight>, or of its slope without what jumps add to it, by an integral."""
-    pieces, end, odd = BY_HAND[name]
-    (inner, outer), at = pieces(*numbers), end(*numbers)
-    ends = [at, -at] if odd else [at]
+    forces, end = by_hand(name)
+    numbers = [known[one] for one in MOVING[name][1]]
+    at, odd = end(*numbers), name in ODD
 
     def law(x):
         size, sign = (abs(x), mpmath.sign(x)) if odd else (x, mpmath.mpf(1))
-        return (inner if size <= at else outer)[order](size) * (1 if order else sign)
+        return forces[size > at][order](size, *numbers) * (1 if order else sign)
 
-    edges = [mpmath.mpf(0), *sorted(mpmath.acos((one - B) / A) for one in ends if abs(one - B) < A), mpmath.pi]
+    ends = [one for one in ([at, -at] if odd else [at]) if abs(one - B) < A]
+    edges = [mpmath.mpf(0), *sorted(mpmath.acos((one - B) / A) for one in ends), mpmath.pi]
     return mpmath.quad(lambda y: law(B + A * mpmath.cos(y)) * mpmath.cos(y) ** weight, edges) / mpmath.pi
 
 
 def conditions_by_hand(name, question, x, known):
     """Residuals of an answer at (Omega, A, B), and F_0 where it is an unknown, for parameters by name."""
     Omega, A, B, F_0 = x if question == "detachment" else (*x, known["F_0"])
-    numbers, zeta = of_force(name, known), known["zeta"]
-    c_0, s_0 = (mean_by_hand(name, numbers, A, B, 0, weight) for weight in (0, 1))
+    zeta = known["zeta"]
+    c_0, s_0 = (mean_by_hand(name, known, A, B, 0, weight) for weight in (0, 1))
     R, I = A * Omega**2 - 2 * s_0, 4 * known["mu"] / mpmath.pi + 2 * zeta * A * Omega
     balanced = [c_0 - known["load"], R**2 + I**2 - F_0**2]
     if question == "amplitudes":
@@ -308,7 +276,7 @@ def conditions_by_hand(name, question, x, known):
     if question == "detachment":
         return [*balanced, R * 2 * A * Omega + I * 2 * zeta * A, B + A - known["g"]]
     # <f cos> by A along the balance is <f' cos^2> - <f' cos>^2/<f'>
-    c_1, s_1, s_2 = (mean_by_hand(name, numbers, A, B, 1, weight) for weight in (0, 1, 2))
+    c_1, s_1, s_2 = (mean_by_hand(name, known, A, B, 1, weight) for weight in (0, 1, 2))
     return [*balanced, R * (Omega**2 - 2 * (s_2 - s_1**2 / c_1)) + I * 2 * zeta * Omega]
 
 
@@ -328,9 +296,9 @@ def conditions_by_hand(name, question, x, known):
     ],
 )
 @pytest.mark.part(3)
-def test_gradients_are_those_of_integrals_at_forty_digits(request, name, question):
+def test_gradients_are_those_of_integrals_at_forty_digits(name, question):
     """Sensitivities of an answer's conditions, by mpmath and the implicit function theorem."""
-    one = request.getfixturevalue(name)(**PARAMETERS[name])
+    one = moving(name)(**PARAMETERS[name])
     F_0 = 0.2 if name == "cubic" else 0.1
     at = {"amplitudes": {"Omega": 1.28, "F_0": F_0}, "detachment": {}}.get(question, {"F_0": F_0})
     found = getattr(one, question)(**at)
@@ -364,19 +332,19 @@ def test_gradients_are_those_of_integrals_at_forty_digits(request, name, questio
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ["jumping", "mirrored", "cushion"])
-def test_places_of_rest_move_as_the_force_and_its_slope_do(request, name):
+def test_places_of_rest_move_as_the_force_and_its_slope_do(name):
     """Where f(u) = load, by differences at 40 digits."""
     parameters = {**PARAMETERS[name], "load": 0.6}
-    rest = request.getfixturevalue(name)(**parameters).rest()
+    rest = moving(name)(**parameters).rest()
     gradient = rest.gradient()
     assert not gradient.message and len(rest) == 1
-    pieces, end, _ = BY_HAND[name]
+    forces, end = by_hand(name)
 
-    def at_rest(numbers):
-        ordered = of_force(name, numbers)
-        force, slope = pieces(*ordered)[int(rest.u[0] > float(end(*ordered)))]
-        u = mpmath.findroot(lambda x: force(x) - numbers["load"], mpmath.mpf(rest.u[0]), tol=1e-90)
-        return u, slope(u)
+    def at_rest(known):
+        numbers = [known[one] for one in MOVING[name][1]]
+        force, slope = forces[int(rest.u[0] > float(end(*numbers)))]
+        at = mpmath.findroot(lambda x: force(x, *numbers) - known["load"], mpmath.mpf(rest.u[0]), tol=1e-90)
+        return at, slope(at, *numbers)
 
     with mpmath.workdps(60):
         exact, step = {by: mpmath.mpf(parameters[by]) for by in (*PARAMETERS[name], "load")}, mpmath.mpf(10) ** -20
@@ -389,9 +357,9 @@ def test_places_of_rest_move_as_the_force_and_its_slope_do(request, name):
 
 @pytest.mark.slow
 @pytest.mark.parametrize("Omega", [1.15, 1.3])
-def test_exact_motions_are_what_averaging_says_to_its_order(cushion, Omega):
+def test_exact_motions_are_what_averaging_says_to_its_order(Omega):
     """Every stable state has a motion of the equation of motion next to it, with its mean."""
-    oscillator = cushion(q=0.05, d=0.2, g=0.05, **DAMPED)
+    oscillator = moving("cushion")(q=0.05, d=0.2, g=0.05, **DAMPED)
     states = oscillator.amplitudes(Omega=Omega, F_0=0.02)
     assert states.stable.any()
     for state in (one for one in states if one.stable):

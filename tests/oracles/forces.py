@@ -1,4 +1,4 @@
-"""Averages of forces of any kind to 40 certified digits: forces typed here in, h and three derivatives by A out.
+"""Averages of forces of any kind to 40 certified digits: forces of `pieces` in, h and three derivatives by A out.
 
 It shares nothing with `derivations/`: no derivative is taken under the integral by hand and no angle moves. In u the
 average is, with A beyond the pieces' ends b but the last,
@@ -20,6 +20,7 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Callable
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -27,6 +28,7 @@ from flint import acb, acb_series, arb, ctx
 
 from tests.oracles.averaged import digits, exact
 from tests.oracles.certified_roots import precision
+from tests.oracles.pieces import AVERAGED, in_excess, on_series, root
 
 DATA = Path(__file__).parents[1] / "data" / "forces.json"
 BITS, TOLERANCE = 320, 280
@@ -34,127 +36,59 @@ ORDERS = 3
 #: relative step of a difference that gives a condition number
 STEP = arb(2) ** -80
 
-Number = Callable[[str], acb]
-
-
-def tanh(x: Any) -> Any:
-    """Of a series or a ball."""
-    doubled = (2 * x).exp()
-    return (doubled - 1) / (doubled + 1)
-
-
-def root(x: Any) -> Any:
-    """The square root, where the argument stays off its cut; a ValueError elsewhere."""
-    first = x[0]
-    if not (first.real > 0 or first.imag > 0 or first.imag < 0):
-        raise ValueError("next to a branch cut")
-    return x.sqrt()
-
-
-def arctangent(x: Any) -> Any:
-    """The same of the arctangent, whose cuts leave i and -i."""
-    first = x[0]
-    if not (first.real > 0 or first.real < 0 or abs(first.imag) < 1):
-        raise ValueError("next to a branch cut")
-    return x.atan()
-
 
 def next_to(end: float) -> list[float]:
     """Amplitudes just beyond a piece's end."""
     return [end * (1 + excess) for excess in (5e-11, 1e-7)]
 
 
-#: each force's numbers, its pieces f(u) for u > 0 in these, where they end, and amplitudes
-FORCES: dict[str, tuple[dict[str, float], list[Callable[..., Any]], list[str], list[float]]] = {
-    "pendulum": ({"k": 1.3}, [lambda u, n: n("k") * u.sin()], [], [0.01, 0.5, 1.7, 3.0]),
-    "preload": ({"c": 0.02, "k": 1.0}, [lambda u, n: n("c") + n("k") * u + u * u * u], [], [0.01, 0.3, 2.0]),
-    "quadratic": ({"k": 0.3, "c": 1.0}, [lambda u, n: n("k") * u + n("c") * u * u], [], [0.05, 0.4, 3.0]),
+#: each force's numbers and amplitudes
+FORCES: dict[str, tuple[dict[str, float], list[float]]] = {
+    "pendulum": ({"k": 1.3}, [0.01, 0.5, 1.7, 3.0]),
+    "preload": ({"c": 0.02, "k": 1.0}, [0.01, 0.3, 2.0]),
+    "quadratic": ({"k": 0.3, "c": 1.0}, [0.05, 0.4, 3.0]),
     "preloaded_stop": (
         {"c": 0.02, "k": 1.0, "p": 8.0, "gap": 0.3},
-        [lambda u, n: n("c") + n("k") * u, lambda u, n: n("c") + n("k") * u + n("p") * (u - n("gap"))],
-        ["gap"],
         [0.2, 0.3 + 2.0**-40, 0.3001, 0.313, 0.33, 0.9, 40.0],
     ),
-    "let_go": (
-        {"c": 0.2, "k": 1.0, "p": 0.7, "gap": 0.5},
-        [lambda u, n: n("c") + n("p") * u + n("p") * u * u - u * u * u, lambda u, n: n("k") * u],
-        ["gap"],
-        [0.02, 0.5 + 2.0**-40, 0.5001, 0.52, 0.6, 2.0, 300.0],
-    ),
-    "wave": ({"k": 0.3, "c": 5.0}, [lambda u, n: u + n("k") * (n("c") * u).sin()], [], [0.1, 0.9, 4.0]),
-    "saturating": ({"k": 4.0}, [lambda u, n: tanh(n("k") * u)], [], [0.02, 0.3, 2.5]),
-    "exponential": ({"k": 0.5, "c": 2.0}, [lambda u, n: n("k") * ((n("c") * u).exp() - 1)], [], [0.05, 0.7, 2.0]),
-    "oblique": (
-        {"k": 1.3, "c": 0.6},
-        [lambda u, n: u + 2 * n("k") * u * (1 - n("c") / root(n("c") * n("c") + u * u))],
-        [],
-        [0.05, 0.5, 2.0],
-    ),
-    "arctangent": ({"k": 0.3}, [lambda u, n: arctangent(u / n("k"))], [], [0.05, 0.5, 3.0]),
-    "dead": (
-        {"k": 3.0, "gap": 0.1},
-        [lambda u, n: 0 * u, lambda u, n: n("k") * (u - n("gap")) * (u - n("gap"))],
-        ["gap"],
-        [0.1001, 0.15, 0.8],
-    ),
-    "hard_stop": (
-        {"k": 3.0, "gap": 0.1},
-        [lambda u, n: u, lambda u, n: u + n("k") * ((u - n("gap")).exp() - (n("gap") - u).exp())],
-        ["gap"],
-        [0.1001, 0.13, 0.9],
-    ),
-    "soft_stop": (
-        {"k": 3.0, "c": 5.0, "gap": 0.2},
-        [lambda u, n: u, lambda u, n: u + n("c") * tanh(n("k") * (u - n("gap")))],
-        ["gap"],
-        [0.2001, 0.25, 1.1],
-    ),
+    "let_go": ({"c": 0.2, "k": 1.0, "p": 0.7, "gap": 0.5}, [0.02, 0.5 + 2.0**-40, 0.5001, 0.52, 0.6, 2.0, 300.0]),
+    "wave": ({"k": 0.3, "c": 5.0}, [0.1, 0.9, 4.0]),
+    "saturating": ({"k": 4.0}, [0.02, 0.3, 2.5]),
+    "exponential": ({"k": 0.5, "c": 2.0}, [0.05, 0.7, 2.0]),
+    "oblique": ({"k": 1.3, "c": 0.6}, [0.05, 0.5, 2.0]),
+    "arctangent": ({"k": 0.3}, [0.05, 0.5, 3.0]),
+    "dead": ({"k": 3.0, "gap": 0.1}, [0.1001, 0.15, 0.8]),
+    "hard_stop": ({"k": 3.0, "gap": 0.1}, [0.1001, 0.13, 0.9]),
+    "soft_stop": ({"k": 3.0, "c": 5.0, "gap": 0.2}, [0.2001, 0.25, 1.1]),
     "two_stops": (
         {"k": 3.0, "c": 5.0, "gap": 0.1, "end": 0.3, "p": 4.0},
-        [
-            lambda u, n: u,
-            lambda u, n: u + n("c") * tanh(n("k") * (u - n("gap"))),
-            lambda u, n: u + n("c") * tanh(acb_series([n("k") * (n("end") - n("gap"))])) + n("p") * (u - n("end")),
-        ],
-        ["gap", "end"],
         [0.05, *next_to(0.1), 0.13, 0.29, *next_to(0.3), 0.3001, 0.5, 2.0],
     ),
     "two_steps": (
         {"k": 1.5, "c": 2.0, "gap": 0.2, "end": 0.25, "p": 0.7},
-        [
-            lambda u, n: n("k") * u.sin(),
-            lambda u, n: n("p") * u + (u - n("gap")) * (u - n("gap")) * (n("c") * u).exp(),
-            lambda u, n: u * u * u + n("c") * u,
-        ],
-        ["gap", "end"],
         [0.1, *next_to(0.2), 0.21, 0.249, *next_to(0.25), 0.26, 1.0],
     ),
-    "letting_go": (
-        {"k": 1.5, "gap": 0.5},
-        [lambda u, n: n("k") * u.sin(), lambda u, n: u],
-        ["gap"],
-        [0.3, 0.5001, 0.6, 2.0],
-    ),
-    "hertz": (
-        {"k": 3.0, "gap": 0.1},
-        [lambda u, n: u, lambda u, n, excess: u + n("k") * excess * excess * excess],
-        ["gap"],
-        [0.05, 0.1 + 2.0**-40, 0.1001, 0.13, 0.9, 40.0],
-    ),
-    "buffer": (
-        {"k": 4.0, "c": 2.0, "gap": 0.2},
-        [lambda u, n: u + u * u * u, lambda u, n, excess: u + u * u * u + n("k") * excess**5 * (1 + n("c") * u)],
-        ["gap"],
-        [0.2 + 2.0**-40, 0.21, 0.5, 2.0],
-    ),
+    "letting_go": ({"k": 1.5, "gap": 0.5}, [0.3, 0.5001, 0.6, 2.0]),
+    "hertz": ({"k": 3.0, "gap": 0.1}, [0.05, 0.1 + 2.0**-40, 0.1001, 0.13, 0.9, 40.0]),
+    "buffer": ({"k": 4.0, "c": 2.0, "gap": 0.2}, [0.2 + 2.0**-40, 0.21, 0.5, 2.0]),
 }
 #: whose last pieces are stated in the root of what u exceeds their begin by
 CONTACTS = ("hertz", "buffer")
 
 
+@cache
+def pieces_of(name: str) -> tuple[list[Callable[..., Any]], list[str]]:
+    """The force's pieces on series, and where they end."""
+    pieces = AVERAGED[name]
+    forces = [force for force, _ in pieces]
+    if name in CONTACTS:
+        forces[-1] = in_excess(forces[-1], pieces[-2][1])
+    return [on_series(force) for force in forces], [str(until) for _, until in pieces[:-1]]
+
+
 def average(name: str, A: arb, numbers: dict[str, arb]) -> list[arb]:
     """h and its derivatives."""
-    _, pieces, names, _ = FORCES[name]
+    pieces, names = pieces_of(name)
 
     def number(key: str) -> acb:
         return acb(numbers[key])
@@ -213,7 +147,7 @@ def vanishes(value: arb) -> bool:
 def main() -> None:
     """Writes the file."""
     lines = []
-    for name, (*_, amplitudes) in FORCES.items():
+    for name, (_, amplitudes) in FORCES.items():
         for A in amplitudes:
             lines.append(json.dumps(case(name, A), separators=(",", ":")))
     DATA.write_text("[\n" + ",\n".join(lines) + "\n]\n")

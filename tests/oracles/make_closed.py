@@ -2,8 +2,8 @@
 
     python -m tests.oracles.make_closed
 
-The forces are typed here, f(u) for u > 0, and averaged as `make_stated` averages any: no closed form is used. Each case
-has folds; draws without any are left out, and those in which balls do not tell a cusp from a point next to one.
+The forces are those of `pieces`, f(u) for u > 0, averaged as `make_stated` averages any: no closed form is used. Each
+case has folds; draws without any are left out, and those in which balls do not tell a cusp from a point next to one.
 
 Up to its end the first piece of a stop, of a bilinear spring and of play is linear, and has no fold. Play has no
 stiffness there: with p = -h/A and q = -h_A, p < q, folds have Omega^2 between them, and R R_A + I I_A = 0 says
@@ -14,6 +14,7 @@ stiffness there: with p = -h/A and q = -h_A, p < q, folds have Omega^2 between t
 from __future__ import annotations
 
 from itertools import count
+from typing import Any
 
 from flint import arb
 
@@ -21,6 +22,7 @@ from tests.oracles.averaged import BITS, Jet, Point
 from tests.oracles.certified_roots import precision
 from tests.oracles.make_random_isolators import write
 from tests.oracles.make_stated import Force, Piece, Stated, _uniform, case
+from tests.oracles.pieces import CLOSED, a, b, k
 
 #: of each force
 EACH = 30
@@ -35,6 +37,10 @@ class Bent(Stated):
 
 class DeadZone(Bent):
     """Of a force that vanishes up to the gap; the least slope is p at twice the gap."""
+
+    @property
+    def least_slope(self) -> arb:
+        return arb(2) / 3 - arb(3).sqrt() / (2 * arb.pi())
 
     def ask(self, F_0: float, frequencies: list[float]) -> None:
         with precision(BITS):
@@ -53,58 +59,20 @@ class DeadZone(Bent):
         return bool(q < 4 * zeta**2 or (q - p) ** 2 < 16 * zeta**2 * p)
 
 
-#: with their oscillators
-FORCES: dict[str, tuple[Force, type[Stated]]] = {
-    "stop": (
-        Force(
-            (lambda u, n: u, lambda u, n: u + n("k") * (u - n("gap"))),
-            _uniform(k=(0.3, 5.0), gap=(0.1, 0.5)),
-            lambda n: arb(1),
-            end="gap",
-        ),
-        Bent,
-    ),
-    "bilinear": (
-        Force(
-            (lambda u, n: u, lambda u, n: u + (n("k") - 1) * (u - n("gap"))),
-            _uniform(k=(0.25, 0.75), gap=(0.1, 0.4)),
-            lambda n: n("k"),
-            end="gap",
-        ),
-        Bent,
-    ),
-    "play": (
-        Force(
-            (lambda u, n: 0 * u, lambda u, n: u - n("gap")),
-            _uniform(gap=(0.03, 0.4)),
-            lambda n: arb(2) / 3 - arb(3).sqrt() / (2 * arb.pi()),
-            end="gap",
-        ),
-        DeadZone,
-    ),
-    "even": (
-        Force(
-            (lambda u, n: u + n("a") * u * u + n("b") * u * u * u,),
-            _uniform(a=(-0.5, 1.0), b=(0.3, 0.8)),
-            lambda n: 1 - n("a") ** 2 / (3 * n("b")),
-        ),
-        Stated,
-    ),
-    "preload": (
-        Force(
-            (lambda u, n: n("c") + u + n("b") * u * u * u,),
-            _uniform(c=(0.005, 0.04), b=(0.2, 1.5)),
-            lambda n: arb(1),
-            at_rest=True,
-        ),
-        Stated,
-    ),
+#: what is drawn of each, more about it, and its oscillators
+DRAWN: dict[str, tuple[dict[str, tuple[float, float]], dict[str, Any], type[Stated]]] = {
+    "stop": ({"k": (0.3, 5.0), "gap": (0.1, 0.5)}, {}, Bent),
+    "bilinear": ({"k": (0.25, 0.75), "gap": (0.1, 0.4)}, {"least_slope": k}, Bent),
+    "play": ({"gap": (0.03, 0.4)}, {}, DeadZone),
+    "even": ({"a": (-0.5, 1.0), "b": (0.3, 0.8)}, {"least_slope": 1 - a**2 / (3 * b)}, Stated),
+    "preload": ({"c": (0.005, 0.04), "b": (0.2, 1.5)}, {"at_rest": True}, Stated),
 }
 
 
 def cases(name: str) -> list[dict]:
     """Those of a force."""
-    force, kind = FORCES[name]
+    ranges, more, kind = DRAWN[name]
+    force = Force(CLOSED[name], _uniform(**ranges), **more)
     found: list[dict] = []
     for index in count():
         try:
@@ -119,4 +87,4 @@ def cases(name: str) -> list[dict]:
 
 
 if __name__ == "__main__":
-    write("closed", [one for name in FORCES for one in cases(name)])
+    write("closed", [one for name in DRAWN for one in cases(name)])

@@ -28,6 +28,7 @@ from mpmath import mp, mpf
 
 from derivations.codegen.catalogue.flow import OWN
 from derivations.mechanisms import all_mechanisms
+from tests.oracles.definitions import damping, inertia, linearization, motion, off_centre, sensitivities
 from tests.oracles.definitions.along import BESIDE_FOLDS, DAMPED, LOCI, SLOPES, UNDAMPED
 from tests.oracles.definitions.averaged_force import COMPOSED as KNOWN
 from tests.oracles.definitions.averaged_force import (
@@ -44,13 +45,8 @@ from tests.oracles.definitions.averaged_force import (
     second_approximation_table,
     stated,
 )
-from tests.oracles.definitions.damping import dissipation_table
 from tests.oracles.definitions.den_hartog import DEN_HARTOG, exact_U, exact_V
 from tests.oracles.definitions.frequencies import frequencies_table
-from tests.oracles.definitions.inertia import inertia_table
-from tests.oracles.definitions.linearization import linearization_table
-from tests.oracles.definitions.motion import motion_table
-from tests.oracles.definitions.off_centre import off_centre_table
 from tests.oracles.definitions.points import (
     DESIGNS,
     DUFFINGS,
@@ -59,15 +55,16 @@ from tests.oracles.definitions.points import (
     STEEP_DESIGNS,
     Amplitudes,
     around,
+    beside_backbone,
     close_to_one,
     entry,
     parameters_of,
     points,
+    table_of,
     zeroed,
 )
 from tests.oracles.definitions.resultants import LEADING, detachment, saddle_node_onset, saddle_nodes
 from tests.oracles.definitions.sampled import sampled_table
-from tests.oracles.definitions.sensitivities import sensitivities_table
 from tests.oracles.definitions.slow_flow import SLOW_FLOW
 
 OUT = Path(__file__).parents[1] / "data" / "kernel_oracle.json"
@@ -80,10 +77,8 @@ def slow_flow_table(rng: random.Random, scene: str) -> dict:
         if own and name not in own:
             continue
         chosen = points(rng, names, 6)
-        if {"Omega", "A", "h"} <= set(names.split()):  # next to the backbone: R is the small difference of two terms
-            Omega, A, h = (names.split().index(x) for x in ("Omega", "A", "h"))
-            for x in chosen[:2]:
-                x[h] = -x[A] * x[Omega] ** 2 * (1 + 1e-9)
+        for number, x in enumerate(chosen):
+            beside_backbone(names.split(), number, x)
         if name == "isolation":  # where h pushes outwards, too
             for x in chosen[::2]:
                 x[-1] *= -1
@@ -106,9 +101,7 @@ def slow_flow_table(rng: random.Random, scene: str) -> dict:
                 for k in with_it:
                     x[k] *= -1
         table[name] = [entry(zeroed(f, names.split(), scene), x) for x in chosen]
-    for name, (names, f) in ({} if scene else BESIDE_FOLDS).items():
-        table[name] = [entry(f, x) for x in points(rng, names, 6)]
-    return table
+    return table | table_of({} if scene else BESIDE_FOLDS, rng)
 
 
 def den_hartog_table(rng: random.Random) -> dict:
@@ -264,14 +257,15 @@ def tables() -> dict[str, Callable[[random.Random], dict]]:
     made: dict[str, Callable[[random.Random], dict]] = {}
     for scene in SCENES:
         made["slow_flow" + scene] = functools.partial(slow_flow_table, scene=scene)
-    made["inertia"] = inertia_table
-    made["dissipation"] = dissipation_table
-    made["linearization"] = linearization_table
-    made["sensitivities"] = sensitivities_table
+    made["inertia"] = functools.partial(table_of, inertia.INERTIA, place=inertia.place)
+    made["dissipation"] = functools.partial(table_of, damping.DISSIPATION, place=damping.place)
+    made["linearization"] = functools.partial(table_of, linearization.LINEARIZATION)
+    made["sensitivities"] = functools.partial(table_of, sensitivities.SENSITIVITIES)
+    made["motion"] = functools.partial(table_of, motion.MOTION)
+    offset = {"count": 5, "place": off_centre.place, "ranges": off_centre.BETWEEN}
+    made["off_centre"] = functools.partial(table_of, off_centre.OFF_CENTRE, **offset)
     made["second_approximation"] = second_approximation_table
     made["frequencies"] = frequencies_table
-    made["motion"] = motion_table
-    made["off_centre"] = off_centre_table
     made["sampled"] = sampled_table
     made["den_hartog"] = den_hartog_table
     isolators = [parameters_of(design) for design in DESIGNS]

@@ -2,8 +2,8 @@
 
     python -m tests.oracles.make_stated
 
-The forces are typed here, f(u) for u > 0, on one piece or on two. With u = A cos(y) and A = b sqrt(1 + t^2) beyond the
-first piece's end b, which y = atan(t) reaches, each piece of
+The forces are those of `pieces`, f(u) for u > 0, on one piece or on two. With u = A cos(y) and A = b sqrt(1 + t^2)
+beyond the first piece's end b, which y = atan(t) reaches, each piece of
 
     h = -(4/pi) int_0^(pi/2) f(A cos y) cos(y) dy
 
@@ -38,8 +38,8 @@ from flint import acb, acb_series, arb, arb_series, ctx
 from tests.oracles.averaged import ATTACHED, BITS, CORNER, DETACHED, Jet, Oscillator, Point, _sign, exact
 from tests.oracles.certified_roots import isolate, precision
 from tests.oracles.conditioning import Conditioning
-from tests.oracles.forces import arctangent, root, tanh
 from tests.oracles.make_random_isolators import SEED, answered, encoded, log_uniform, row, write
+from tests.oracles.pieces import STATED, Pieces, arctangent, c, k, on_series, p, root, u
 
 #: of each force
 EACH = 3
@@ -59,98 +59,60 @@ LARGEST = 2**14
 
 @dataclass(frozen=True)
 class Force:
-    """Its pieces and where the first ends; draws; whether folds begin at rest.
+    """Its pieces; draws; its least slope, at any u; whether folds begin at rest.
 
     power   -- factor and exponent of a power beside a single piece
     contact -- factor of what begins where the first piece ends, as a power 3/2
     """
 
-    pieces: tuple[Callable[..., Any], ...]
+    stated: Pieces
     draw: Callable[[random.Random], dict[str, float]]
-    least_slope: Callable[[Callable[[str], arb]], arb]
-    end: str | None = None
+    least_slope: Any = 1
     power: tuple[str, str] | None = None
     contact: str | None = None
     at_rest: bool = False
+
+    @cached_property
+    def pieces(self) -> list[Callable[..., Any]]:
+        """On series, but for the power and what a contact adds."""
+        forces = [force for force, _ in self.stated][: 1 if self.contact else None]
+        return [on_series(force - k * u**p if self.power else force) for force in forces]
+
+    @property
+    def end(self) -> str | None:
+        """Where the first piece ends."""
+        return None if len(self.stated) == 1 else str(self.stated[0][1])
 
 
 def _uniform(**ranges: tuple[float, float]) -> Callable[[random.Random], dict[str, float]]:
     return lambda rng: {name: rng.uniform(*ends) for name, ends in ranges.items()}
 
 
-FORCES: dict[str, Force] = {
-    "wave": Force(
-        (lambda u, n: u + n("k") * (n("c") * u).sin(),),
-        _uniform(k=(0.1, 0.25), c=(2.0, 3.8)),
-        lambda n: 1 - n("k") * n("c"),
+_POWER = {"power": ("k", "p")}
+#: what is drawn of each, and more about it
+DRAWN: dict[str, tuple[dict[str, tuple[float, float]], dict[str, Any]]] = {
+    "wave": ({"k": (0.1, 0.25), "c": (2.0, 3.8)}, {"least_slope": 1 - k * c}),
+    "saturating": ({"c": (0.6, 1.2), "k": (0.8, 2.0)}, {"least_slope": c}),
+    "exponential": ({"k": (0.3, 1.0), "c": (0.8, 2.0)}, {"least_slope": k * c}),
+    "oblique": ({"k": (0.4, 2.0), "c": (0.3, 1.0)}, {}),
+    "magnets": ({"k": (5.0, 30.0), "c": (4.0, 5.0)}, {"least_slope": 1 + 4 * k / c**3}),
+    "power": ({"k": (0.3, 1.5), "p": (1.3, 2.8)}, _POWER),
+    "root": ({"k": (0.02, 0.2), "p": (0.4, 0.8)}, {**_POWER, "at_rest": True}),
+    "preload": ({"c": (0.005, 0.04), "k": (0.5, 1.5)}, {"least_slope": k, "at_rest": True}),
+    "preload_power": (
+        {"c": (0.005, 0.04), "k": (0.3, 1.5), "p": (1.3, 2.8)},
+        {**_POWER, "at_rest": True},
     ),
-    "saturating": Force(
-        (lambda u, n: n("c") * u + tanh(n("k") * u),), _uniform(c=(0.6, 1.2), k=(0.8, 2.0)), lambda n: n("c")
-    ),
-    "exponential": Force(
-        (lambda u, n: n("k") * ((n("c") * u).exp() - 1),),
-        _uniform(k=(0.3, 1.0), c=(0.8, 2.0)),
-        lambda n: n("k") * n("c"),
-    ),
-    "oblique": Force(
-        (lambda u, n: u + 2 * n("k") * u * (1 - n("c") / root(n("c") * n("c") + u * u)),),
-        _uniform(k=(0.4, 2.0), c=(0.3, 1.0)),
-        lambda n: arb(1),
-    ),
-    "magnets": Force(
-        (lambda u, n: u + n("k") * (1 / ((n("c") - u) * (n("c") - u)) - 1 / ((n("c") + u) * (n("c") + u))),),
-        _uniform(k=(5.0, 30.0), c=(4.0, 5.0)),
-        lambda n: 1 + 4 * n("k") / n("c") ** 3,
-    ),
-    "power": Force((lambda u, n: u,), _uniform(k=(0.3, 1.5), p=(1.3, 2.8)), lambda n: arb(1), power=("k", "p")),
-    "root": Force(
-        (lambda u, n: u,), _uniform(k=(0.02, 0.2), p=(0.4, 0.8)), lambda n: arb(1), power=("k", "p"), at_rest=True
-    ),
-    "preload": Force(
-        (lambda u, n: n("c") + n("k") * (u.exp() - 1),),
-        _uniform(c=(0.005, 0.04), k=(0.5, 1.5)),
-        lambda n: n("k"),
-        at_rest=True,
-    ),
-    "preload_power": Force(
-        (lambda u, n: n("c") + u,),
-        _uniform(c=(0.005, 0.04), k=(0.3, 1.5), p=(1.3, 2.8)),
-        lambda n: arb(1),
-        power=("k", "p"),
-        at_rest=True,
-    ),
-    "soft_stop": Force(
-        (lambda u, n: u, lambda u, n: u + n("c") * tanh(n("k") * (u - n("gap")))),
-        _uniform(c=(0.3, 3.0), k=(0.5, 2.0), gap=(0.1, 0.5)),
-        lambda n: arb(1),
-        end="gap",
-    ),
-    "hard_stop": Force(
-        (lambda u, n: u, lambda u, n: u + n("k") * ((n("c") * (u - n("gap"))).exp() - 1)),
-        _uniform(k=(0.3, 2.0), c=(0.5, 2.0), gap=(0.1, 0.5)),
-        lambda n: arb(1),
-        end="gap",
-    ),
-    "root_stop": Force(
-        (lambda u, n: u, lambda u, n: u + n("k") * (root(1 + n("c") * (u - n("gap"))) - 1)),
-        _uniform(k=(0.5, 3.0), c=(0.5, 2.0), gap=(0.1, 0.5)),
-        lambda n: arb(1),
-        end="gap",
-    ),
-    "contact": Force(
-        (lambda u, n: u,), _uniform(k=(1.0, 8.0), gap=(0.1, 0.5)), lambda n: arb(1), end="gap", contact="k"
-    ),
-    "preloaded_stop": Force(
-        (
-            lambda u, n: n("c") + u + n("k") * u.sin(),
-            lambda u, n: n("c") + u + n("k") * u.sin() + 3 * tanh(u - n("gap")),
-        ),
-        _uniform(c=(0.005, 0.03), k=(0.1, 0.6), gap=(0.15, 0.5)),
-        lambda n: 1 - n("k"),
-        end="gap",
-        at_rest=True,
+    "soft_stop": ({"c": (0.3, 3.0), "k": (0.5, 2.0), "gap": (0.1, 0.5)}, {}),
+    "hard_stop": ({"k": (0.3, 2.0), "c": (0.5, 2.0), "gap": (0.1, 0.5)}, {}),
+    "root_stop": ({"k": (0.5, 3.0), "c": (0.5, 2.0), "gap": (0.1, 0.5)}, {}),
+    "contact": ({"k": (1.0, 8.0), "gap": (0.1, 0.5)}, {"contact": "k"}),
+    "preloaded_stop": (
+        {"c": (0.005, 0.03), "k": (0.1, 0.6), "gap": (0.15, 0.5)},
+        {"least_slope": 1 - k, "at_rest": True},
     ),
 }
+FORCES = {name: Force(STATED[name], _uniform(**ranges), **more) for name, (ranges, more) in DRAWN.items()}
 
 
 class Bent(Jet):
@@ -215,7 +177,7 @@ class Stated(Oscillator):
     @property
     def least_slope(self) -> arb:
         """Of the force, at any u."""
-        return self.force_.least_slope(lambda name: arb(self.parameters[name]))
+        return arb(on_series(self.force_.least_slope)(0, lambda name: arb(self.parameters[name])))
 
     # ---- the average ----------------------------------------------------------------------------------------------
 

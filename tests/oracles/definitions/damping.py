@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import itertools
-import random
 
 from mpmath import mp, mpf
 
-from tests.oracles.definitions.points import Function, entry, points
+from tests.oracles.definitions.points import Function
 from tests.oracles.definitions.series import variables
 from tests.oracles.definitions.slow_flow import balances, near
 
@@ -450,17 +449,11 @@ DISSIPATION: dict[str, tuple[str, Function]] = {
 }
 
 
-def dissipation_table(rng: random.Random) -> dict:
-    """Six points of each kernel; of what leaves at u_cr, beyond that."""
-    table = {}
-    for kernel, (names, f) in DISSIPATION.items():
-        chosen = points(rng, names, 6)
-        for x in chosen:
-            if kernel.startswith("released"):
-                x[0] += x[-1]
-            elif kernel == "R_of_response":  # I < F_0
-                x[1] *= 0.25
-            elif kernel == "R_where_stationary":  # far from rest
-                x[0] *= 0.125
-        table[kernel] = [entry(f, x) for x in chosen]
-    return table
+def place(kernel: str, names: list[str], number: int, x: list[float]) -> None:
+    """Of what leaves at u_cr, beyond that; of I below F_0; far from rest."""
+    if kernel.startswith("released"):
+        x[0] += x[-1]
+    elif kernel == "R_of_response":
+        x[1] *= 0.25
+    elif kernel == "R_where_stationary":
+        x[0] *= 0.125

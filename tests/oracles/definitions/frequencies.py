@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 from mpmath import mp, mpf
 
-from tests.oracles.definitions.points import Function, entry, points, shown
+from tests.oracles.definitions.points import Function, shown, table_of
 from tests.oracles.definitions.slow_flow import balances, fold_quartic, response, response_quartic, slope_of_response
 
 ROUGH, FINE = mpf(2) ** -50, mpf(2) ** -98
@@ -96,7 +96,7 @@ FREQUENCIES: dict[str, tuple[str, Function]] = {
 
 
 def frequencies_table(rng: random.Random) -> dict:
-    table = {kernel: [entry(f, x) for x in points(rng, names, 6)] for kernel, (names, f) in FREQUENCIES.items()}
+    table = table_of(FREQUENCIES, rng)
     for row in (row for kind in ("response", "fold") for row in table[f"{kind}_derivative"]):
         values, scales = in_pairs(*(list(map(mpf, row[name])) for name in ("is", "scale")))
         row |= {"is": [shown(one) for one in values], "scale": [shown(one, 6) for one in scales]}

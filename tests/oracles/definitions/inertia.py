@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-import random
-
 from mpmath import mp, mpf
 
 from tests.oracles.definitions.along import partials
-from tests.oracles.definitions.points import Function, entry, points
+from tests.oracles.definitions.points import Function, beside_backbone
 from tests.oracles.definitions.slow_flow import balances, near, response, slope_of_response
 
 
@@ -273,23 +271,13 @@ INERTIA: dict[str, tuple[str, Function]] = {
 }
 
 
-def inertia_table(rng: random.Random) -> dict:
-    """Two points of each kernel next to the backbone, as in `slow_flow_table`."""
-    table = {}
-    for kernel, (names, f) in INERTIA.items():
-        chosen = points(rng, names, 6)
-        if {"Omega", "A", "h"} <= set(names.split()):
-            Omega, A, h = (names.split().index(x) for x in ("Omega", "A", "h"))
-            for x in chosen[:2]:
-                x[h] = -x[A] * x[Omega] ** 2 * (1 + 1e-9)
-        if kernel == "outer":  # with roots, where the quadratic falls at first and where it does not
-            for number, x in enumerate(chosen):
-                x[3] *= 0.1
-                x[4] -= 0.2
-                if number % 3 == 2:
-                    x[0], x[4] = 0.5 * x[1], -x[4]
-        if kernel == "isolation":  # amplitudes above F_0
-            for x in chosen:
-                x[0] += x[1]
-        table[kernel] = [entry(f, x) for x in chosen]
-    return table
+def place(kernel: str, names: list[str], number: int, x: list[float]) -> None:
+    """Some next to the backbone; where quadratics have roots, also where they rise at first; amplitudes above F_0."""
+    beside_backbone(names, number, x)
+    if kernel == "outer":
+        x[3] *= 0.1
+        x[4] -= 0.2
+        if number % 3 == 2:
+            x[0], x[4] = 0.5 * x[1], -x[4]
+    elif kernel == "isolation":
+        x[0] += x[1]

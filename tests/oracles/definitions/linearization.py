@@ -2,11 +2,7 @@
 
 from __future__ import annotations
 
-import random
-
 from mpmath import mp, mpf
-
-from tests.oracles.definitions.points import entry, points
 
 FAR = 9
 
@@ -129,8 +125,3 @@ LINEARIZATION = {
     "energy_loss": ("W_1 lost S_0", energy_loss),
     "resonance": ("theta k c slope G E_re E_im D_re D_im", resonance),
 }
-
-
-def linearization_table(rng: random.Random) -> dict:
-    """Six points of each kernel."""
-    return {kernel: [entry(f, x) for x in points(rng, names, 6)] for kernel, (names, f) in LINEARIZATION.items()}

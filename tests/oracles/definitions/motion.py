@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import random
 from collections.abc import Callable, Sequence
 
 from mpmath import mp, mpf
 
-from tests.oracles.definitions.points import Function, entry, points
+from tests.oracles.definitions.points import Function
 
 
 def rates_by_tau(cosine, v, F_0, zeta, friction, f):
@@ -152,7 +151,3 @@ MOTION: dict[str, tuple[str, Function]] = {
     "out": ("beyond pull", falling(2)),
     "back": ("beyond growth", falling(3)),
 }
-
-
-def motion_table(rng: random.Random) -> dict:
-    return {kernel: [entry(f, x) for x in points(rng, names, 6)] for kernel, (names, f) in MOTION.items()}

@@ -6,11 +6,10 @@ import functools
 import itertools
 import math
 import operator
-import random
 
 from mpmath import mp, mpf
 
-from tests.oracles.definitions.points import Function, entry, points
+from tests.oracles.definitions.points import RANGES, Function
 from tests.oracles.definitions.series import stated, variables
 from tests.oracles.definitions.slow_flow import balances
 
@@ -246,15 +245,13 @@ OFF_CENTRE: dict[str, tuple[str, Function]] = {
 }
 
 
-def off_centre_table(rng: random.Random) -> dict:
-    """The recursion's number counts: 1, 2, ... upwards, 0 and -1 downwards."""
-    table = {}
-    for kernel, (names, f) in OFF_CENTRE.items():
-        chosen = points(rng, names, 5)
-        for number, x in enumerate(chosen):
-            if names.startswith("k "):
-                x[0] = float(number + 1 if kernel == "up" else -(number % 2))
-            if names.startswith("R A "):  # A Omega^2 = R + 2 s_0
-                x[0] += 2.0
-        table[kernel] = [entry(f, x) for x in chosen]
-    return table
+#: a mean's third derivative has the name of a law of damping
+BETWEEN = {**RANGES, "c_3": (-1.0, 1.0)}
+
+
+def place(kernel: str, names: list[str], number: int, x: list[float]) -> None:
+    """The recursion's number counts: 1, 2, ... upwards, 0 and -1 downwards; and A Omega^2 = R + 2 s_0."""
+    if names[0] == "k" and len(names) > 1:
+        x[0] = float(number + 1 if kernel == "up" else -(number % 2))
+    if names[:2] == ["R", "A"]:
+        x[0] += 2.0

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 
 from flint import fmpq
 from mpmath import mp, mpf
@@ -20,110 +20,79 @@ Function = Callable[..., list]
 # each with the parameters it belongs to
 Amplitudes = list[tuple[float, tuple[float, ...]]]
 
-RANGES = {
-    "Omega": (0.3, 2.0),
-    "A": (0.01, 1.0),
-    "F_0": (0.03, 0.1),
-    "F_2": (0.03, 0.1),
-    "m": (0.001, 0.03),
-    "mu": (0.001, 0.02),
-    "zeta": (0.004, 0.1),
-    **{"zeta_A": (0.0, 0.2), "zeta_AA": (0.0, 0.5), "zeta_AAA": (0.0, 1.0), "zeta_2": (0.01, 1.0), "d_3": (0.01, 1.0)},
-    "h": (-1.0, -0.001),
-    "steepest": (0.0, 3.0),
-    "reduction": (0.01, 0.999),
-    "h_A": (-2.0, 1.0),
-    "h_AA": (-5.0, 5.0),
-    "h_AAA": (-20.0, 20.0),
-    **{f"{name}_{n}": (-1.0, 1.0) for name in ("s", "c", "L", "M") for n in (0, 2, 3, "k")},
-    **{"X": (0.3, 1.5), "Y": (0.3, 1.5), "c_x": (0.1, 1.5), "c_y": (-1.5, 0.5)},
-    **{name: (-1.0, 1.0) for name in ("X_x", "Y_y", "c_xx", "c_yy")},
-    **{"c_1": (0.2, 1.5), "s_1": (-0.5, 0.5), "L_1": (0.0, 1.0), "M_1": (0.0, 1.0)},
-    **{
-        "load": (-0.1, 0.1),
-        **{f"{name}_{n}_p": (-1.0, 1.0) for name in ("s", "c") for n in range(3)},
-        **{"load_p": (-1.0, 1.0), "end_p": (-1.0, 1.0), "side": (0.8, 1.2)},
-        "t": (-0.9, 0.9),
-        "resists": (-1.0, 1.0),
-        "B": (0.01, 0.5),
-        "D_0": (0.001, 0.1),
-        "edge": (-1.0, 1.0),
-        "C_1": (0.2, 1.5),
-        "S_1": (-0.5, 0.5),
-        "a": (-0.9, 0.9),
-        "angle": (0.1, 3.0),
-        "k": (1, 5),
-    },
-    **{
-        f"h_{n}{order}": (-size, size)
-        for n in (3, 5)
-        for order, size in (("", 0.02), ("_A", 0.2), ("_AA", 2.0), ("_AAA", 20.0))
-    },
-    **{"turned": (0.0, 3.14), "kappa": (-0.5, 8.0)},
-    **{"a_3": (-0.02, 0.02), "a_5": (-0.01, 0.01)},
-    "S": (0.5, 2.0),
-    **{"force": (0.03, 0.1), "force_Omega": (-0.2, 0.2), "force_F": (0.5, 2.0)},
-    **{f"S_{name}": (-1.0, 1.0) for name in ("Omega", "OmegaOmega", "F", "FOmega")},
-    "root": (-1.0, 1.0),
-    "span": (-1.0, 1.0),
-    "p": (-1.0, 0.1),
-    "q": (0.0001, 0.003),
-    # k = h - A h_A, in size above F_0 and A |T|
-    "intercept": (1.0, 3.0),
-    "k_A": (-3.0, 3.0),
-    "lacks": (-0.5, 0.5),
-    "X": (0.1, 4.0),
-    "T": (-0.9, 0.9),
-    "R": (0.1, 4.0),
-    # 1/Omega, and what the least level of an excitation by inertia follows from
-    "u": (-1.0, 1.0),
-    "x": (0.5, 3.0),
-    "fall": (0.001, 1.0),
-    "linear": (0.0001, 0.03),
-    "rest": (0.001, 1.0),
-    "lost": (0.001, 0.5),
-    **{"cubic": (-1.0, 1.0), "other": (-1.0, 1.0), "share": (-0.5, 0.5)},
-    # other laws of damping
-    "eta": (0.005, 0.2),
-    **{"c_2": (0.05, 2.0), "c_3": (0.05, 2.0)},
-    "d": (0.05, 2.0),
-    "u_cr": (0.05, 0.5),
-    "I": (0.01, 0.1),
-    "I_0": (0.005, 0.05),
-    "I_A": (-0.2, 0.2),
-    "R_A": (-2.0, 2.0),
-    "beside": (-0.1, 0.1),
-    "h_over_A": (-2.0, 1.0),
-    **dict.fromkeys(("I_0_over_A", "I_over_A"), (0.01, 0.5)),
-    "A_1": (0.01, 1.0),
-    "phi": (-3.1, -0.05),
-    "I_0A": (-0.2, 0.2),
-    "I_0AA": (-1.0, 1.0),
-    "I_0AAA": (-5.0, 5.0),
-    **dict.fromkeys(("friction", "quadratic"), (-0.5, 0.5)),
-    **dict.fromkeys(("cosine", "sine", "slip"), (-0.99, 0.99)),
-    **dict.fromkeys(("v", "f", "inner", "outer"), (-1.0, 1.0)),
-    **dict.fromkeys(("f_u", "inner_u", "outer_u"), (-0.5, 2.0)),
-    **dict.fromkeys(("left", "right"), (0.01, 0.99)),
-    "nu": (10.0, 1000.0),
-    **dict.fromkeys(("before", "after", "by_theta", "by_u"), (-1.0, 1.0)),
-    **dict.fromkeys(("beyond", "holds", "preload", "force"), (0.001, 0.1)),
-    **dict.fromkeys(("pull", "growth"), (0.01, 1.0)),
-    "least": (0.03, 0.9),
-    **dict.fromkeys(("tail", "p_low", "q_low"), (-1e-21, 1e-21)),
-    "k": (0.04, 4.0),
-    # what a parameter does, and what an answer does then
-    **dict.fromkeys(("h_p", "h_Ap", "m_p", "zeta_p", "end_p", "forcing_p", "frequency_p"), (-1.0, 1.0)),
-    **dict.fromkeys(("I_0p", "I_0Ap", "zeta_Ap", "zeta_AAp", "d_p", "d_3p", "A_p", "Omega_p", "F_0_p"), (-1.0, 1.0)),
-    "I_0AAp": (-5.0, 5.0),
-    "h_AAp": (-5.0, 5.0),
-    # random vibration
-    **dict.fromkeys(("sigma_u", "sigma_v", "end"), (0.05, 0.5)),
-    **{"S_0": (1e-4, 1e-2), "c": (0.1, 1.0), "ratio": (0.02, 0.45)},
-    **{"theta": (0.02, 1.2), "slope": (-3.0, 3.0), "G": (1e-4, 1e-2)},
-    **dict.fromkeys(("E_re", "E_im", "D_re", "D_im"), (-1.0, 1.0)),
-    **{"W_1": (0.05, 0.5), "level": (0.2, 3.0), "within": (0.05, 1.0)},
+Range = tuple[float, float]
+#: arguments by what they lie between
+_BETWEEN: dict[Range, str] = {
+    (-20.0, 20.0): "h_AAA h_3_AAA h_5_AAA",
+    (-5.0, 5.0): "h_AA I_0AAA I_0AAp h_AAp",
+    (-3.1, -0.05): "phi",
+    (-3.0, 3.0): "k_A slope",
+    (-2.0, 1.0): "h_A h_over_A",
+    (-2.0, 2.0): "h_3_AA h_5_AA R_A",
+    (-1.5, 0.5): "c_y",
+    (-1.0, -0.001): "h",
+    (-1.0, 0.1): "p",
+    (-1.0, 1.0): (
+        "s_0 s_2 s_3 s_k c_0 c_k L_0 L_2 L_3 L_k M_0 M_2 M_3 M_k X_x Y_y c_xx c_yy s_0_p s_1_p "
+        "s_2_p c_0_p c_1_p c_2_p load_p end_p resists edge S_Omega S_OmegaOmega S_F S_FOmega root "
+        "span u cubic other I_0AA v f inner outer before after by_theta by_u h_p h_Ap m_p zeta_p "
+        "forcing_p frequency_p I_0p I_0Ap zeta_Ap zeta_AAp d_p d_3p A_p Omega_p F_0_p E_re E_im "
+        "D_re D_im"
+    ),
+    (-0.99, 0.99): "cosine sine slip",
+    (-0.9, 0.9): "t a T",
+    (-0.5, 0.5): "s_1 S_1 lacks share friction quadratic",
+    (-0.5, 2.0): "f_u inner_u outer_u",
+    (-0.5, 8.0): "kappa",
+    (-0.2, 0.2): "h_3_A h_5_A force_Omega I_A I_0A",
+    (-0.1, 0.1): "load beside",
+    (-0.02, 0.02): "h_3 h_5 a_3",
+    (-0.01, 0.01): "a_5",
+    (-1e-21, 1e-21): "tail p_low q_low",
+    (0.0, 0.2): "zeta_A",
+    (0.0, 0.5): "zeta_AA",
+    (0.0, 1.0): "zeta_AAA L_1 M_1",
+    (0.0, 3.0): "steepest",
+    (0.0, 3.14): "turned",
+    (0.0001, 0.003): "q",
+    (0.0001, 0.01): "S_0 G",
+    (0.0001, 0.03): "linear",
+    (0.001, 0.02): "mu",
+    (0.001, 0.03): "m",
+    (0.001, 0.1): "D_0 force beyond holds preload",
+    (0.001, 0.5): "lost",
+    (0.001, 1.0): "fall rest",
+    (0.004, 0.1): "zeta",
+    (0.005, 0.05): "I_0",
+    (0.005, 0.2): "eta",
+    (0.01, 0.1): "I",
+    (0.01, 0.5): "B I_0_over_A I_over_A",
+    (0.01, 0.99): "left right",
+    (0.01, 0.999): "reduction",
+    (0.01, 1.0): "A zeta_2 d_3 A_1 pull growth",
+    (0.02, 0.45): "ratio",
+    (0.02, 1.2): "theta",
+    (0.03, 0.1): "F_0 F_2",
+    (0.03, 0.9): "least",
+    (0.04, 4.0): "k",
+    (0.05, 0.5): "u_cr sigma_u sigma_v end W_1",
+    (0.05, 1.0): "within",
+    (0.05, 2.0): "c_2 c_3 d",
+    (0.1, 1.0): "c",
+    (0.1, 1.5): "c_x",
+    (0.1, 3.0): "angle",
+    (0.1, 4.0): "X R",
+    (0.2, 1.5): "c_1 C_1",
+    (0.2, 3.0): "level",
+    (0.3, 1.5): "Y",
+    (0.3, 2.0): "Omega",
+    (0.5, 2.0): "S force_F",
+    (0.5, 3.0): "x",
+    (0.8, 1.2): "side",
+    (1.0, 3.0): "intercept",
+    (10.0, 1000.0): "nu",
 }
+RANGES: dict[str, Range] = {name: ends for ends, names in _BETWEEN.items() for name in names.split()}
 
 TABLE_1 = tuple(float(published.TABLE_1[name]) for name in ("lam", "r", "delta_h"))
 DESIGNS = (TABLE_1, (1.0, 0.5, 0.05), (4.0, 4.0, 0.0606), (1.0, 1.0, 0.9), (2.0, 1.5, 0.5), (3.0, 2.0, 1e-6))
@@ -149,8 +118,8 @@ def close_to_one(u_cr: float) -> list[float]:
     return [A for A in (0.699, 0.75, 0.99, 1 - 1e-9, 1.0, 1 + 1e-9, 1.1) if A > 0.9 * u_cr]
 
 
-def points(rng: random.Random, names: str, count: int) -> list[list[float]]:
-    return [[rng.uniform(*RANGES[name]) for name in names.split()] for _ in range(count)]
+def points(rng: random.Random, names: str, count: int, ranges: Mapping[str, Range] = RANGES) -> list[list[float]]:
+    return [[rng.uniform(*ranges[name]) for name in names.split()] for _ in range(count)]
 
 
 def measured(f: Function, at: Sequence[float], exact: bool = False) -> tuple[list, list]:
@@ -172,6 +141,30 @@ def entry(f: Function, at: Sequence[float], exact: bool = False) -> dict:
     """One row: values, and their scale."""
     values, scales = measured(f, at, exact)
     return {"at": list(at), "is": [shown(v) for v in values], "scale": [shown(s, 6) for s in scales]}
+
+
+def table_of(
+    definitions: dict[str, tuple[str, Function]],
+    rng: random.Random,
+    count: int = 6,
+    place: Callable[[str, list[str], int, list[float]], None] = lambda *_: None,
+    ranges: Mapping[str, Range] = RANGES,
+) -> dict:
+    """Rows of each kernel at random points; `place` moves a kernel's point, by names of arguments and its number."""
+    table = {}
+    for kernel, (names, f) in definitions.items():
+        chosen = points(rng, names, count, ranges)
+        for number, x in enumerate(chosen):
+            place(kernel, names.split(), number, x)
+        table[kernel] = [entry(f, x) for x in chosen]
+    return table
+
+
+def beside_backbone(names: list[str], number: int, x: list[float]) -> None:
+    """Two points of a kernel of h lie next to the backbone: R is the small difference of two terms."""
+    if number < 2 and {"Omega", "A", "h"} <= set(names):
+        Omega, A, h = (names.index(name) for name in ("Omega", "A", "h"))
+        x[h] = -x[A] * x[Omega] ** 2 * (1 + 1e-9)
 
 
 def shown(value, digits: int = DIGITS) -> str:

@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import random
-
 from mpmath import mp, mpf
 
 from tests.oracles.definitions.damping import KNOWN, law_balances
 from tests.oracles.definitions.inertia import shaken
-from tests.oracles.definitions.points import Function, entry, points
+from tests.oracles.definitions.points import Function
 from tests.oracles.definitions.series import variables
 from tests.oracles.definitions.slow_flow import near
 
@@ -164,8 +162,3 @@ SENSITIVITIES: dict[str, tuple[str, Function]] = {
     ),
     **{f"by_{name}": ("Omega F_0", excited(name)) for name in FORCES},
 }
-
-
-def sensitivities_table(rng: random.Random) -> dict:
-    """Six points of each kernel."""
-    return {kernel: [entry(f, x) for x in points(rng, names, 6)] for kernel, (names, f) in SENSITIVITIES.items()}
