@@ -1,7 +1,7 @@
 """`make stress`: search for the worst errors, count what is missed, write docs/stability.md and the baseline.
 
-Out: benchmarks/results/stability.json, docs/stability.md and its pictures, tests/data/stability.json, and what headers
-say of kernels, derivations/codegen/measured.json. Less than twenty minutes on two slow cores. `--only answers counts`
+Out: benchmarks/results/stability.json, docs/stability.md and its pictures, and tests/data/stability.json, whose errors
+`make derive` states in the headers of kernels. Less than twenty minutes on two slow cores. `--only answers counts`
 measures these anew and keeps the rest of the last results, `--draw` keeps all; `--size 0.1` takes a tenth of the
 points. Counts against proofs are ten million, a million isolators among them. What was measured is kept as soon as a
 part is through.
@@ -22,7 +22,7 @@ from typing import Any
 
 from benchmarks import environment
 from benchmarks.document import DOCS, RESULTS
-from benchmarks.stress import answers, baseline, counts, headers, instead, kernels, proofs, roots, scale
+from benchmarks.stress import answers, baseline, counts, instead, kernels, proofs, roots, scale
 from tests.oracles.kernels import scene_of
 
 #: what can be measured separately
@@ -149,7 +149,6 @@ def main() -> None:
             known["cost"] = {**known.get("cost", {}), what: cost}
             baseline.save(results, known)
     baseline.write(known)
-    headers.write()
     from benchmarks.stress import page  # pyplot, which the processes that search do without
 
     page.write(known, options.docs)

@@ -3,6 +3,7 @@
 Kernels keep their points with exact values as `kernel_oracle.json` does; roots and answers keep points, exact values
 and conditions; beside each stands the error measured: it may not grow. Counts keep the cases next to a level whose
 number was right, by doubles or by balls, with the proved number, and those that doubles had wrong without a word.
+`make derive` states the errors in the headers of kernels, with the boxes in which they were searched for.
 """
 
 from __future__ import annotations
@@ -10,6 +11,8 @@ from __future__ import annotations
 import json
 from pathlib import Path
 from typing import Any
+
+from benchmarks.stress import domains
 
 OUT = Path(__file__).resolve().parents[2] / "tests" / "data" / "stability.json"
 #: wrong counts kept of each mechanism and kind of each share
@@ -38,7 +41,19 @@ def of(found: dict[str, Any]) -> dict[str, list[dict[str, Any]]]:
                 *(("nothing", at, number) for at, _, number, *_ in c[kind]["wrong"][:CASES]),
             )
         ],
+        "boxes": [
+            {"module": module, "where": domains.in_words(module, sorted(names))}
+            for module, names in arguments(found["kernels"]).items()
+        ],
     }
+
+
+def arguments(kernels: list[dict[str, Any]]) -> dict[str, set[str]]:
+    """The names that the kernels of each module take."""
+    names: dict[str, set[str]] = {}
+    for k in kernels:
+        names.setdefault(k["module"], set()).update(k["names"])
+    return names
 
 
 def write(found: dict[str, Any]) -> None:

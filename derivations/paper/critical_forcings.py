@@ -63,11 +63,31 @@ def in_factors(value: sp.Expr) -> sp.Expr:
 
     Expanded powers of a small difference lose its digits.
     """
-    factors = []
-    for factor in sp.Mul.make_args(sp.factor(value)):
-        base, exponent = factor.as_base_exp()
-        factors.append((sp.collect(sp.expand(base), m, sp.factor) if base.is_Add else base) ** exponent)
-    return sp.Mul(*factors)
+    constant, factors = _factors(value)
+    by_m = (sp.collect(base, m, _factored) if base.is_Add else base for base, _ in factors)
+    return sp.Mul(constant, *(base**count for base, (_, count) in zip(by_m, factors, strict=True)))
+
+
+def _factored(value: sp.Expr) -> sp.Expr:
+    """`sp.factor` of a polynomial with rational coefficients, in a tenth of its time."""
+    constant, factors = _factors(value)
+    product = sp.Mul(*(base**count for base, count in factors))
+    # unevaluated, or SymPy would multiply a number into a lone sum
+    return constant * product if abs(constant) == 1 else sp.Mul(constant, *sp.Mul.make_args(product), evaluate=False)
+
+
+def _factors(value: sp.Expr) -> tuple[sp.Rational, list[tuple[sp.Expr, int]]]:
+    """A rational factor, and the irreducible ones with how often they are there, integers without a common divisor."""
+    if value.is_Rational:
+        return value, []
+    symbols = sp.Poly(value).gens
+    constant, factors = _to_flint(value, symbols, _ring(symbols)).factor()
+    found = [(_to_sympy(factor.to_dict(), symbols), int(count)) for factor, count in factors]
+    return sp.Rational(int(constant.p), int(constant.q)), found
+
+
+def _ring(symbols: Sequence[sp.Symbol]) -> fmpq_mpoly_ctx:
+    return fmpq_mpoly_ctx.get([symbol.name for symbol in symbols], Ordering.lex)
 
 
 def _to_flint(expression: sp.Expr, symbols: Sequence[sp.Symbol], ring: fmpq_mpoly_ctx) -> fmpq_mpoly:
@@ -84,7 +104,7 @@ def eliminate(first: sp.Expr, second: sp.Expr, variable: sp.Symbol, unknown: sp.
     """Res_variable(first, second) of two polynomials with rational coefficients, ordered by the unknown."""
     others = sorted((first.free_symbols | second.free_symbols) - {variable, unknown}, key=lambda symbol: symbol.name)
     symbols = (variable, unknown, *others)
-    ring = fmpq_mpoly_ctx.get([symbol.name for symbol in symbols], Ordering.lex)
+    ring = _ring(symbols)
     resultant = _to_flint(first, symbols, ring).resultant(_to_flint(second, symbols, ring), variable.name)
     if resultant == 0:
         # the two vanish together whatever the unknown is: no value of it stands out
