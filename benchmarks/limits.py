@@ -226,7 +226,7 @@ def pace(rows: list[dict[str, Any]]) -> list[str]:
 
 def _missed_by(row: dict[str, Any]) -> float:
     """By what factor a time or a rate misses its target; infinite for what has no time in it."""
-    if row["unit"] not in ("s", "a second"):
+    if row["unit"] not in ("s", "per second"):
         return math.inf
     return row["measured"] / row["target"] if row["at_most"] else row["target"] / row["measured"]
 

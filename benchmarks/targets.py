@@ -107,7 +107,7 @@ def quartics(size: Size) -> list[Target]:
     sound = wrong == 0 and largest <= 1
     out.append(
         Target(
-            f"{job}, slowest of {len(bench_roots.SCENES)} scenes",
+            f"{job}, slowest of {len(bench_roots.SCENES)} families",
             *(40e-9, slowest["ns"] * 1e-9, "s", True),
             "",
             *(error, "quartic", sound),
@@ -119,7 +119,7 @@ def quartics(size: Size) -> list[Target]:
         theirs = [of[s, method] for s in bench_roots.SCENES]
         out.append(
             Target(
-                f"{job}: {method} over ours, least of {len(ratios)} scenes",
+                f"{job}: time of {method} over slowflow's, smallest of {len(ratios)} families",
                 *(least, ratios[scene], "×", False),
                 f"{quantity(of[scene, method]['ns'] * 1e-9, 's')} ({scene})",
                 f"theirs {max(row['error_max'] for row in theirs):.2g} u(1+κ), "
@@ -157,7 +157,7 @@ def kernels(size: Size) -> list[Target]:
         job = f"H and H′, {regime}, a point"
         out.append(
             Target(
-                f"{job}, slowest of {len(scenes)} scenes" if len(scenes) > 1 else job,
+                f"{job}, slowest of {len(scenes)} families" if len(scenes) > 1 else job,
                 *(at_most, of[slowest, ours]["ns"] * 1e-9, "s", True),
                 f"as NumPy has it {quantity(of[slowest, 'NumPy']['ns'] * 1e-9, 's')}",
                 *(error, "kernel"),
@@ -166,7 +166,7 @@ def kernels(size: Size) -> list[Target]:
         theirs = f"{max(of[scene, 'lambdify(cse=True)']['error_max'] for scene in scenes):.2g} u(1+κ)"
         out.append(
             Target(
-                f"H and H′, {regime}: lambdify(cse=True) over slowflow, least of {len(scenes)}",
+                f"H and H′, {regime}: time of lambdify(cse=True) over slowflow's, smallest of {len(scenes)}",
                 *(10, min(ratios), "×", False),
                 f"{' to '.join(quantity(ratio, '×') for ratio in sorted({min(ratios), max(ratios)}))}; "
                 f"theirs {quantity(of[slowest, 'lambdify(cse=True)']['ns'] * 1e-9, 's')}",
@@ -245,8 +245,8 @@ def batches(size: Size) -> list[Target]:
         out.append(
             Target(
                 f"{title}, {n} random designs, one core",
-                *(least, rate, "a second", False),
-                f"Table 1 with λ from 2 to 4 {quantity(n / near['seconds'], 'a second')}",
+                *(least, rate, "per second", False),
+                f"Table 1 with λ from 2 to 4 {quantity(n / near['seconds'], 'per second')}",
                 f"{max(errors):.1e} relative, {len(exact)} certified isolators",
                 *(name, answer["status"] < UNSOLVED),
             )
@@ -264,12 +264,12 @@ def cores(size: Size) -> list[Target]:
     out = []
     for question, title in titles.items():
         taken = {n: answers[names[question, n]]["least"] for n in workers}
-        each = ", ".join(f"{n}: {quantity(size.onsets / seconds, 'a second')}" for n, seconds in taken.items())
+        each = ", ".join(f"{n}: {quantity(size.onsets / seconds, 'per second')}" for n, seconds in taken.items())
         out.append(
             Target(
-                f"{title} of {size.onsets} designs on {there} cores over one core",
+                f"speed-up of {title}, {size.onsets} designs, {there} cores",
                 *(0.8 * there, taken[1] / taken[there], "×", False),
-                f"by workers {each}",
+                f"workers {each}",
                 *("", "cores"),
             )
         )
@@ -293,7 +293,7 @@ def rates(size: Size) -> list[Target]:
         out.append(
             Target(
                 f"{title}, {size.onsets} random designs, one core",
-                *(least, size.onsets / answer["seconds"], "a second", False),
+                *(least, size.onsets / answer["seconds"], "per second", False),
                 "",
                 *("", name, answer["status"] < UNSOLVED),
             )
@@ -302,8 +302,8 @@ def rates(size: Size) -> list[Target]:
     out.append(
         Target(
             f"whole curves of {drawn} random designs, 1000 points, stability, folds, one core",
-            *(15e3, drawn / curves["seconds"], "a second", False),
-            f"one at a time {quantity(1 / curve['seconds'], 'a second')}",
+            *(15e3, drawn / curves["seconds"], "per second", False),
+            f"one at a time {quantity(1 / curve['seconds'], 'per second')}",
             *("", "curve", curves["status"] < UNSOLVED),
         )
     )
@@ -344,7 +344,15 @@ def gradients(size: Size) -> list[Target]:
             ratios[question] = float(np.median(moving) / np.median(answering))
         worst = max(ratios, key=lambda question: ratios[question])
         each = ", ".join(f"{question} {ratio:.2g} ×" for question, ratio in ratios.items())
-        out.append(Target(f"gradient over its answer, {where}, worst", *(2.0, ratios[worst], "×", True), each, "", ""))
+        out.append(
+            Target(
+                f"time of a gradient over that of its result, {where}, largest",
+                *(2.0, ratios[worst], "×", True),
+                each,
+                "",
+                "",
+            )
+        )
     return out
 
 
@@ -363,14 +371,14 @@ def second(size: Size) -> list[Target]:
             for value, digits in zip(found, expected, strict=True)
         ]
     many = ", ".join(
-        f"{name} {quantity(count / answers[f'second {name} {count}']['seconds'], 'a second')}"
+        f"{name} {quantity(count / answers[f'second {name} {count}']['seconds'], 'per second')}"
         for name, count in counts.items()
     )
     return [
         Target(
             f"second approximation: curve, {curve['points']} points, stability, folds",
             *(0.4e-3, curve["seconds"], "s", True),
-            f"averaging's {quantity(first['seconds'], 's')}; random designs: {many}",
+            f"averaging {quantity(first['seconds'], 's')}; random designs: {many}",
             *(f"folds {max(errors):.1e} relative, 30 digits", "second", max(errors) <= 1e-13),
         )
     ]
@@ -408,8 +416,8 @@ def starting(size: Size) -> list[Target]:
     ours, numpy = footprint.importing(size.imports)
     return [
         Target(
-            "import slowflow beyond NumPy's own import",
-            *(30e-3, ours, "s", True, f"NumPy's own {quantity(numpy, 's')}", "", "import"),
+            "import of slowflow, without that of NumPy",
+            *(30e-3, ours, "s", True, f"NumPy {quantity(numpy, 's')}", "", "import"),
         )
     ]
 

@@ -213,7 +213,7 @@ def rest(numbers: dict[str, Any]) -> Any:
     # bins on a logarithmic axis: each at its middle, the open ones one step out
     at = np.sqrt(np.maximum(edges, 0.025) * np.append(edges[1:], 2 * edges[-1]))
     figure, axes = plt.subplots(1, 2, figsize=(11, 4), layout="constrained", sharey=True)
-    for ax, quantity, title in zip(axes, ("median", "q95"), ("median", "95 of 100 points within"), strict=True):
+    for ax, quantity, title in zip(axes, ("median", "q95"), ("median", "95th percentile"), strict=True):
         for k, (ratio, row) in enumerate(zip(pool["ratios"], pool["both"], strict=True)):
             values = [np.nan if cell[quantity] is None else 100 * cell[quantity] for cell in row]
             end = pool["ratios"][k + 1] if k + 1 < len(pool["ratios"]) else np.pi / 4
@@ -304,7 +304,7 @@ def _second(numbers: dict[str, Any], ranges: tuple[tuple[float, float], ...]) ->
         kind: sum(cell[kind]["folds"][0] != cell[kind]["folds"][1] for cell in early) for kind in ("exact", "second")
     }
     by_rest = [
-        "| mu/(A Omega^2) from | averaging: median | 95 of 100 | second: median | 95 of 100 |",
+        "| mu/(A Omega^2) from | averaging: median | 95th percentile | second: median | 95th percentile |",
         "|---|---|---|---|---|",
     ]
     pool = numbers["pool"]
@@ -407,15 +407,15 @@ def page(numbers: dict[str, Any]) -> str:
         sizes = [_at_resonance(numbers, quantity, (low, high)) for quantity in NAMES]
         sizes += [_critical(numbers, quantity, (low, high)) for quantity in ("F_SN", "F_cr")]
         by_ratio.append(f"| {low:g} to {high:g} | " + " | ".join(sizes) + " |")
-    by_rest = ["| mu/(A Omega^2) from | points | with stops | median | 95 of 100 within |", "|---|---|---|---|---|"]
+    by_rest = ["| mu/(A Omega^2) from | points | with stops | median | 95th percentile |", "|---|---|---|---|---|"]
     for edge, cell in zip(pool["rests"], pool["by rest"], strict=True):
         by_rest.append(
             f"| {edge:g} | {cell['points']} | {100 * cell['stopping']:.0f} % | {_percent(cell['median'])} | "
             f"{_percent(cell['q95'])} |"
         )
-    shares = ["| motion | points | force of the exact curve | median | 95 of 100 within |", "|---|---|---|---|---|"]
+    shares = ["| motion | points | force of the exact curve | median | 95th percentile |", "|---|---|---|---|---|"]
     for kind, description in (("moving", "without stops"), ("stopping", "with stops")):
-        for force, meant in (("truncated", "(6): first harmonic alone"), ("exact", "(5): and truncation")):
+        for force, meant in (("truncated", "(6): error of one harmonic"), ("exact", "(5): the same and truncation")):
             cell = pool[kind][force]
             shares.append(
                 f"| {description} | {cell['points']} | {meant} | {_percent(cell['median'])} | {_percent(cell['q95'])} |"

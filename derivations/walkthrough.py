@@ -53,7 +53,7 @@ SECTIONS = (
             "(2)": "λ springs of stiffness k_h, compressed by Δh, push horizontally on a rod of length L. They leave "
             "it where they have their free length.",
             "(3)": "(1) with x = L u and time in 1/ω_n, over k_v L.",
-            "(4)": "The coefficients of (3), by name.",
+            "(4)": "Definitions of the quantities in (3).",
             "(5)": "(2) over k_v L, and the u at which the springs detach.",
             "(6)": "The Taylor polynomial of fifth order of (5) up to u_cr. It does not vanish there: the force jumps.",
             "(7)": "Its coefficients: derivatives of (5) at u = 0.",
@@ -109,7 +109,7 @@ SECTIONS = (
         "Stability",
         "slow_flow",
         {
-            "(28)": "(19) differentiated by A and φ; sin φ and cos φ by (23).",
+            "(28)": "(19) differentiated with respect to A and φ; sin φ and cos φ from (23).",
             "(29)": "Its eigenvalues. The trace is negative, so a fixed point is stable where the determinant is "
             "positive.",
             "(30)": "4Ω² det D_qΓ = F_A/(2A): the boundary of stability is where the response has a vertical tangent.",
@@ -132,9 +132,9 @@ SECTIONS = (
         "Den Hartog's solution, equivalent damping",
         "den_hartog",
         {
-            "(35)": "Without springs and viscous damping the half-cycle between two stops is linear: four conditions "
-            "at its ends give its four constants.",
-            "(36)": "The mass does not stop within the half-cycle, u' < 0 on all of it, while A exceeds this.",
+            "(35)": "Without horizontal springs and viscous damping, the motion between two turning points is linear: "
+            "four conditions at its ends give its four constants.",
+            "(36)": "Above this amplitude the mass does not stop within the half-cycle: u' < 0 throughout.",
             "(37)": "The functions in (35) and (36).",
             "text of Section 4.1": "The sticking condition as a ratio.",
             "(38)": "The viscous damping ratio with the same dissipative term in (23).",
@@ -216,7 +216,8 @@ def equations(where: str, rows: list[Row], facts: Facts) -> Iterator[str]:
         yield display(*(sides(left, printed) or [resultant(row.id, facts)]), number=number).markdown() + "\n"
         values = [value for _, value in derived]
         in_letters = sp.Tuple(*printed).free_symbols == sp.Tuple(*values).free_symbols
-        in_order = row.verdict == IDENTICAL and in_letters and not facts.subjects[row.id].shown
+        repeated = not facts.subjects[row.id].shown or values == list(printed)
+        in_order = row.verdict == IDENTICAL and in_letters and repeated
         if any(values) and not in_order:
             named = [(symbols(sp.Symbol(name)) if name else "0", symbols(value)) for name, value in derived]
             yield from ("Derived:", "")

@@ -22,7 +22,7 @@ preload = axis("preload", np.linspace(0.1, 0.9, 17))  # relative to the preload 
 mu = axis("mu", np.array([0.0, 0.01, 0.02]))
 designs = Isolator.many(lam=3, r=r, delta_h=preload / (3 * r), mu=mu, zeta=0.02)
 
-with tempfile.TemporaryDirectory() as folder:  # a map that is to last gets a path of its own
+with tempfile.TemporaryDirectory() as folder:  # a map that is kept gets a permanent path
     onset = designs.store(Path(folder) / "onset.zarr", "saddle_node_onset")
     print(f"{onset.attrs['question']} of {onset.attrs['mechanism']}, slowflow {onset.attrs['slowflow']}")
     print(", ".join(f"{name}: {size}" for name, size in onset.sizes.items()))

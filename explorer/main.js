@@ -175,7 +175,7 @@ function say() {
   const tends = byInertia(state) && detachment.status !== ok && breaks.length > 0;
   $("answers").innerHTML =
     card(
-      `${symbol(criticalIn(state, "SN"))} <span>it jumps from</span>`,
+      `${symbol(criticalIn(state, "SN"))} <span>jumps above</span>`,
       onset.status === ok ? reached(near("F_0", onset.F_SN), onset.A) : onset.status === DATA.status.UNBOUNDED ? `> ${near("F_0", answer.sticking)}` : "never",
       [
         onset.status === ok ? `at ${frequency} = ${near("Omega", onset.Omega)}, ${DATA.onset_kinds[onset.kind]}` : "",
@@ -184,14 +184,14 @@ function say() {
       onset.status === ok && plain.F_0 > onset.F_SN ? "passed" : "",
     ) +
     card(
-      `${symbol(criticalIn(state, "cr"))} <span>${DATA.mechanisms[state.mechanism].rod ? "springs detach from" : `it passes ${u_cr} from`}</span>`,
+      `${symbol(criticalIn(state, "cr"))} <span>${DATA.mechanisms[state.mechanism].rod ? "springs detach above" : `passes ${u_cr} above`}</span>`,
       detachment.status === ok ? near("F_0", detachment.F_cr) : tends ? near("F_0", breaks[0]) : "never",
       tends ? `as ${frequency} tends to ∞` : detachment.status === ok ? `at ${frequency} = ${near("Omega", detachment.Omega)}, ${u_cr} = ${near("A", detachment.u_cr)}` : "one piece",
       detachment.status === ok && plain.F_0 > detachment.F_cr ? "passed" : "",
     ) +
     (byInertia(state)
-      ? card(`${frequency} <span>it sticks up to</span>`, near("Omega", answer.sticksUpTo), "inertia pushes less there than friction holds")
-      : card(`4${symbol(nameIn(state, "mu"))}/π <span>it sticks up to</span>`, near("F_0", answer.sticking), plain.F_0 <= answer.sticking ? `${F} is below` : "", plain.F_0 <= answer.sticking ? "passed" : "")) +
+      ? card(`${frequency} <span>sticks up to</span>`, near("Omega", answer.sticksUpTo), "the inertia force does not overcome friction there")
+      : card(`4${symbol(nameIn(state, "mu"))}/π <span>sticks up to</span>`, near("F_0", answer.sticking), plain.F_0 <= answer.sticking ? `${F} is below` : "", plain.F_0 <= answer.sticking ? "passed" : "")) +
     card(`<i>A</i> <span>peak</span>`, peak.value, peak.note) +
     card(
       `<span>jumps at</span> ${symbol(F)} <span>= ${near("F_0", plain.F_0)}</span>`,
@@ -206,7 +206,7 @@ function say() {
   app.plots.response.title.textContent = summary;
   app.plots.force.title.textContent = "Restoring force over displacement, with the stroke of the present motion.";
   app.plots.transmissibility.title.textContent = "Transmissibility in decibels over frequency.";
-  app.map.plot.title.textContent = "The design among others: a cross where it is.";
+  app.map.plot.title.textContent = "Design map; a cross marks the present design.";
 }
 
 /** The states at the present frequency as a table, and how far the present one may be off. */
@@ -272,7 +272,7 @@ function field(name, doc, label, unit) {
 
 function excitationPicker(state) {
   const options = Object.entries(DATA.excitations).map(([name, one]) => `<option value="${name}"${name === state.excitation ? " selected" : ""}>${one.title}</option>`);
-  return `<label class="picker wide"><span class="sr">Excited by</span><select id="excitation">${options.join("")}</select></label>`;
+  return `<label class="picker wide"><span class="sr">Kind of excitation</span><select id="excitation">${options.join("")}</select></label>`;
 }
 
 /** Another excitation of the same amplitude without dimensions. */
@@ -357,9 +357,9 @@ function buildFields() {
     changed("high");
     return true;
   });
-  $("jump").textContent = `${criticalIn(state, "SN")}: it jumps from`;
-  $("leave").textContent = `${criticalIn(state, "cr")}: ${about.rod ? "springs detach from" : `it passes ${nameIn(state, "u_cr")} from`}`;
-  $("beyond").innerHTML = about.rod ? "springs off their seat" : `beyond ${symbol(nameIn(state, "u_cr"))}`;
+  $("jump").textContent = `${criticalIn(state, "SN")}: jumps above`;
+  $("leave").textContent = `${criticalIn(state, "cr")}: ${about.rod ? "springs detach above" : `passes ${nameIn(state, "u_cr")} above`}`;
+  $("beyond").innerHTML = about.rod ? "springs detached" : `beyond ${symbol(nameIn(state, "u_cr"))}`;
   $("stops").innerHTML = inHTML(wordsIn(state).STOPS);
   const axes = [...about.design, ...DATA.damping];
   for (const id of ["map-x", "map-y"])
@@ -526,7 +526,7 @@ function bindControls() {
     $("text-body").select();
   };
   $("python").addEventListener("click", () => show("The same in Python", inPython(app.state)));
-  $("share").addEventListener("click", () => show("The address of this design", location.href.split("#")[0] + toAddress({ ...app.state, level: app.now.A })));
+  $("share").addEventListener("click", () => show("Link to this design", location.href.split("#")[0] + toAddress({ ...app.state, level: app.now.A })));
   $("copy").addEventListener("click", async () => {
     try {
       await navigator.clipboard.writeText($("text-body").value);
@@ -648,7 +648,7 @@ async function selfCheck() {
   changed();
   times.sort((a, b) => a - b);
   const [median, most] = [times[60], times[114]];
-  const text = `${same} of ${compared} numbers equal those of the compiled Python package to the last digit${same < compared ? ` (worst: ${short(worst, 2)} units in the last place)` : ""}. A frame of all pictures takes ${short(median, 3)} ms, 19 of 20 less than ${short(most, 3)} ms.`;
+  const text = `${same} of ${compared} numbers equal those of the compiled Python package to the last digit${same < compared ? ` (worst: ${short(worst, 2)} units in the last place)` : ""}. Drawing all plots takes ${short(median, 3)} ms (median), ${short(most, 3)} ms (95th percentile).`;
   return { same, compared, worst, median, most, text };
 }
 

@@ -34,8 +34,8 @@ function excitationOf(state) {
 
 /** Root mean squares under the density of a state: rows by rising u, or a word where there are none. */
 function randomOf(solvers, state, plain) {
-  if (!DATA.mechanisms[state.mechanism].odd) return { n: 0, word: "of forces that are odd only" };
-  if (plain.mu === 0 && plain.zeta === 0) return { n: 0, word: "without damping unbounded" };
+  if (!DATA.mechanisms[state.mechanism].odd) return { n: 0, word: "for odd forces only" };
+  if (plain.mu === 0 && plain.zeta === 0) return { n: 0, word: "unbounded without damping" };
   const words = { 0: "there is no equivalent linear oscillator", "-1": "not resolved", "-2": "friction holds the mass nearly all of the time" };
   const found = solvers.random(excitationOf(state));
   return found.n > 0 ? found : { n: 0, word: words[found.n] };

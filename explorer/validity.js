@@ -74,7 +74,7 @@ function remarksOf(answer) {
 /** The error of one state, in words. */
 function errorInWords(errors) {
   if (errors === null) return "The error of averaging was measured for isolators under a force only.";
-  const parts = [`Averaging is typically off by ${short(100 * errors.typical, 2)} % here, by less than ${short(100 * errors.error, 2)} % in 95 of 100 measured cases.`];
+  const parts = [`Averaging is typically off by ${short(100 * errors.typical, 2)} % here, by less than ${short(100 * errors.error, 2)} % in 95 % of the measured cases.`];
   if (errors.rest >= DATA.measured.STOPS_FROM) parts.push("The mass stops within the cycle, or nearly so.");
   if (errors.truncation >= DATA.worth.truncation) parts.push(`The truncated force (6) adds ${short(100 * errors.truncation, 2)} %.`);
   return parts.join(" ");

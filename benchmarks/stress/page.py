@@ -87,7 +87,7 @@ def by_kernel(found: list[Numbers]) -> Rows:
                 number(worst["error"]) + (" **missed**" if value(worst["error"]) > kernels.TARGET else ""),
                 "-" if other is None else number(other),
                 number(worst["condition"]),
-                f"{worst['place']}: {where(row['names'], worst['at'])}",
+                where(row["names"], worst["at"]),
             )
         )
     return rows
@@ -95,8 +95,8 @@ def by_kernel(found: list[Numbers]) -> Rows:
 
 #: heads of tables
 KERNELS = ("kernel", "points", "error / u(1+κ)", "NumPy there", "1 + κ there", "where")
-ROOTS = ("roots", "family", "cases", "wrong number", "error / u(1+κ)", "1 + κ there")
-ANSWERS = ("force", "answer", "answers", "error / u(1+κ)", "1 + κ there", "alone")
+ROOTS = ("roots", "family", "cases", "wrong counts", "error / u(1+κ)", "1 + κ there")
+ANSWERS = ("force", "answer", "answers", "error / u(1+κ)", "1 + κ there", "no reference")
 COUNTS = (
     "question",
     "cases",
@@ -224,9 +224,9 @@ def scale_lines(found: list[Numbers]) -> list[str]:
     return [
         "### Millions of cases against proofs in intervals",
         "",
-        "Double precision alone. Many decades of damping, with and without friction; some frequencies lie next to",
-        "folds. *Differ*: cases whose number is not the proved one, and that are not marked as undecided.",
-        "Where only the proof fails, ball arithmetic agrees wherever it was tried",
+        "Double precision without ball arithmetic. Many decades of damping, with and without friction; some",
+        "frequencies lie next to folds. *Differ*: cases whose number is not the proved one, and that are not marked as",
+        "undecided. Where only the proof fails, ball arithmetic agrees wherever it was tried",
         "(`tests/averaged/test_undecided.py`).",
         "",
         *table(SCALE, rows),
@@ -373,7 +373,7 @@ def in_short(numbers: Numbers) -> list[str]:
         f"- **Kernels, target {kernels.TARGET:g} u (1 + κ)**: {len(found) - len(beyond)} of {len(found)} meet it; "
         + (f"{len(beyond)} miss it and are listed below." if beyond else "none misses it."),
         f"- **Roots in Omega, target {roots.TARGET:g} u (1 + κ)**: the worst of {quartics:,} is "
-        f"{number(max(value(w['error']) for w in of_roots))}; {wrong_roots} wrong numbers of roots.",
+        f"{number(max(value(w['error']) for w in of_roots))}; {wrong_roots} wrong root counts.",
         f"- **Answers, target {answers.TARGET:g} u (1 + κ)**: {len(of_answers) - len(missed)} of {len(of_answers)} "
         f"kinds meet it{'; the others are marked below' if missed else ''}.",
         f"- **Counts, target none wrong of 10^7**: of {cases:,} near levels at which the count changes, {wrong:,} are "
@@ -421,7 +421,7 @@ def page(numbers: Numbers) -> str:
         "",
         "### At 1e±150 and subnormal numbers",
         "",
-        f"Beyond the box, arguments at {', '.join(f'{x:.3g}' for x in domains.EXTREME)}: {kept} of {tried} kernels",
+        f"With arguments at {', '.join(f'{x:.3g}' for x in domains.EXTREME)}: {kept} of {tried} kernels",
         "of the general case are as accurate there wherever the result is a normal double. The others overflow, or",
         "lose digits to underflow, in intermediate results:",
         "",
@@ -446,9 +446,9 @@ def page(numbers: Numbers) -> str:
         "",
         "![Errors of answers against condition](stability_answers.png)",
         "",
-        "κ is the condition with respect to parameters and forcing, plus that with respect to kernel values. *Alone*",
-        "counts results near which Newton's method finds no solution within 1 %: an ulp above 4 mu/pi, at the tip",
-        "of a curve with zeta of 1e-9 and less, and on the corner. A fold closer to u_cr than doubles resolve is",
+        "κ is the condition number with respect to parameters and forcing, plus that with respect to kernel values.",
+        "*No reference*: results near which Newton's method finds no solution within 1 %: an ulp above 4 mu/pi, at the",
+        "tip of a curve with zeta of 1e-9 and less, and on the corner. A fold closer to u_cr than doubles resolve is",
         "returned at a double next to u_cr, where A may miss the target.",
         "Ranges: " + "; ".join(f"{name} {low:g} to {high:g}" for name, (low, high) in answers.BOUNDS.items()) + ".",
         "",
@@ -477,7 +477,8 @@ def page(numbers: Numbers) -> str:
         "points of a grid and `brentq`, `fsolve` from a grid of starts, `numpy.roots` on the resultant's coefficients.",
         "",
         *table(
-            ("question", "method", "wrong numbers", "error / u(1+κ)", "slowflow: wrong", "error"), by_other(numbers)
+            ("question", "method", "wrong counts", "error / u(1+κ)", "slowflow: wrong counts", "error"),
+            by_other(numbers),
         ),
         "",
     ]

@@ -121,7 +121,7 @@ def section_3_1(facts: Facts) -> dict[str, Verdict]:
             "16μζAΩ/π, vanishes: then it is quadratic in Ω² for every μ.",
         ),
         "closed_form": (TRUE, "At μ = 0 the coefficient of Ω vanishes: quadratic in Ω²."),
-        "phase": by_formula(facts, "(25) from (23)", "tan_phi", remark="It leaves φ open by π; (23) does not."),
+        "phase": by_formula(facts, "(25) from (23)", "tan_phi", remark="It determines φ up to π, (23) uniquely."),
         "backbone": by_formula(facts, "(26)", "backbone"),
         "envelope_hypothesis": (
             LOOSE,
@@ -228,9 +228,9 @@ def section_3_3(facts: Facts) -> dict[str, Verdict]:
             "Only at F_0 = F_SN, and only if the root A_s lies below u_cr. It does if and only if F_A < 0 at u_cr and "
             "the least Ω > 0 with F_AA = 0, h_1 being the average; otherwise (33) has no root that is a point of the "
             "response. And F_SN of (33) is the onset only up to F_0 = 4μ/π + 2ζ√(−u_cr h_1(u_cr)), where the backbone "
-            "reaches u_cr: from there on folds sit on the corner that the jump of (6) makes. With Table 1 but for the "
-            f"preload the first holds from δ_h = {few(attached)}/(λr) on, both from δ_h = {few(lowest)}/(λr) on; Table "
-            "1 has 1/(2λr).",
+            "reaches u_cr: from there on folds sit on the corner that the jump of (6) makes. With the other "
+            f"parameters of Table 1 the first condition holds from δ_h = {few(attached)}/(λr) on, both hold from δ_h = "
+            f"{few(lowest)}/(λr) on; Table 1 has 1/(2λr).",
         ),
         "triple_root": (TRUE, "F = F_A = F_AA = 0 at (Ω_s, A_s): a triple root in A, among the ten of (24) at that Ω."),
         "one_positive_root": (
@@ -312,9 +312,9 @@ def section_4_1(facts: Facts) -> dict[str, Verdict]:
             "With b = π/(2Ω), τ = b − x: the maximand is 1 − f(x)/cos Ωx, f = cos Ωx − Ω tan b sin Ωx + Ω sin x/cos b, "
             "f(b) = f'(b) = 0 and f'' + Ω²f = Ω(Ω² − 1) sin x/cos b (each proved as an identity). For Ω > 1/2 the "
             "right side is positive on (0, b). So f > 0 there, by Duhamel's integral from b over less than half a "
-            "period. The maximand is odd in x, so on (−b, 0) it needs 2 cos Ωx − f > 0 on (0, b): less cos Ωx this "
-            "vanishes at 0 and b, is driven by the same term with minus sign, and is positive because Ωb < π. So the "
-            "maximand stays below 1, its limit at τ → 0.",
+            "period. The maximand is odd in x, so on (−b, 0) it needs 2 cos Ωx − f > 0 on (0, b): cos Ωx − f "
+            "vanishes at 0 and b, satisfies the same equation with the opposite right side, and is positive because "
+            "Ωb < π. So the maximand stays below 1, its limit at τ → 0.",
         ),
         "kbm_discrepancies": (
             TRUE,
@@ -389,7 +389,7 @@ def section_4_2(facts: Facts) -> dict[str, Verdict]:
         "F_cr_roles_differ": (TRUE, "As δ_h → 0, F_cr → 4μ/π: ζ drops out, μ does not."),
         "F_cr_zeta_no_effect": (
             LOOSE,
-            "True of the limit only: F_cr − 4μ/π falls like 2ζ√(2δ_h). Raising ζ from 0.01 to 0.05 raises F_cr by "
+            "True only in the limit: F_cr − 4μ/π falls like 2ζ√(2δ_h). Raising ζ from 0.01 to 0.05 raises F_cr by "
             f"{gain_text} of the quasi-zero-stiffness preload.",
         ),
         "F_cr_limit": (
@@ -431,10 +431,13 @@ def section_4_3(facts: Facts) -> dict[str, Verdict]:
         "beyond_limit": (TRUE, "α = 1 − 3rδ_h < 0 for δ_h > (3r)⁻¹."),
         "below_F_cr": (
             TRUE,
-            "u_cr is reached at F_cr only at one point, no fold is detached there, and A = 1 is out of reach: no "
-            "response beyond u_cr, also no isolated one.",
+            "At F_cr, u_cr is reached at one point only, no fold lies beyond it, and A = 1 is not reached: no response "
+            "beyond u_cr, not even an isolated one.",
         ),
-        "above_F_cr": (TRUE, "F_0 > F_cr puts two frequencies on A = u_cr, and the response beyond it between them."),
+        "above_F_cr": (
+            TRUE,
+            "For F_0 > F_cr, A = u_cr at two frequencies, and the response is beyond it between them.",
+        ),
         "peak_shift": (
             TRUE,
             "Peaks at F_cr, 0.040, 0.050: Ω = " + ", ".join(rounded(x, 4) for x in peaks) + ".",
@@ -473,15 +476,15 @@ def conclusions(facts: Facts, decided: dict[str, Verdict]) -> dict[str, Verdict]
     return {
         "conclusion_1_algebraic": (
             LOOSE,
-            "Algebraic in Ω always, in A while attached; beyond u_cr, H_2 holds ψ_0 = arccos(u_cr/A): transcendental "
-            "in A.",
+            "Algebraic in Ω always, in A while attached; beyond u_cr, H_2 contains ψ_0 = arccos(u_cr/A): "
+            "transcendental in A.",
         ),
         "conclusion_2_frequency": (TRUE, "The natural frequency is √α, and α falls with δ_h."),
         "conclusion_2_u_cr": decided["u_cr_of_delta_h"],
         "conclusion_2_zeta_eq": (
             LOOSE,
-            "(38) holds the response's amplitude, not the forcing's; and near resonance friction's effect is not small "
-            "(see `zeta_eq_near_resonance`).",
+            "(38) contains the amplitude of the response, not of the forcing; and near resonance friction's effect is "
+            "not small (see `zeta_eq_near_resonance`).",
         ),
         "conclusion_3_mu": decided["F_cr_mu_shift"],
         "conclusion_3_zeta": (
@@ -493,7 +496,7 @@ def conclusions(facts: Facts, decided: dict[str, Verdict]) -> dict[str, Verdict]
         "conclusion_3_zeta_limit": decided["F_cr_zeta_no_effect"],
         "conclusion_4_resultants": (
             LOOSE,
-            "Both resultants hold roots that solve neither problem; the paper's rule for (33) picks such a one (see "
+            "Both resultants have roots that solve neither problem; the paper's rule for (33) selects such a root (see "
             "`minimum_root`).",
         ),
         "conclusion_5_friction": (DEFINITION, "States the range of the model: continuous motion is assumed in (19)."),
@@ -508,8 +511,8 @@ def conclusions(facts: Facts, decided: dict[str, Verdict]) -> dict[str, Verdict]
         ),
         "transients": (
             LOOSE,
-            f"Viscous damping alone lowers a transient by {few(slowest)} in 100 periods at Ω = 1.5 (more at lower Ω); "
-            "at a fold an eigenvalue is 0, and no number of periods is enough.",
+            f"Viscous damping alone reduces a transient to {few(slowest)} of its size in 100 periods at Ω = 1.5 (to "
+            "less at lower Ω); at a fold an eigenvalue is 0, and no number of periods is enough.",
         ),
     }
 

@@ -226,7 +226,7 @@ NUMBERS: dict[str, Callable] = {
     "sticking_exceeded": _exact(lambda facts: 1 / _ratio(facts)),
     "conclusion_threshold": _exact(lambda facts: 1 / _ratio(facts)),
     "F_cr_limit": _exact(
-        lambda facts: facts.results.flows[""].friction, "See the formula row: the fraction is upside down."
+        lambda facts: facts.results.flows[""].friction, "See the formula row: the fraction is inverted."
     ),
     "u_cr": _measured(lambda facts: facts.example.u_cr),
     "F_cr": _measured(lambda facts: facts.example.detachment.F_0),

@@ -39,7 +39,7 @@ def decided(numbers: dict[str, Any]) -> dict[str, tuple[str, str]]:
             "kbm_low_friction": _low_friction(two_b),
             "agreement_acceptable": _acceptable(numbers["figure_7a"]),
             "reliability": "`kbm_low_friction` holds; `agreement_acceptable` at resonance and, with little friction, "
-            "everywhere. The limitation is `kbm_threshold`; on the flanks it is felt long before π/4.",
+            "everywhere. The limitation is `kbm_threshold`; away from resonance it begins well below π/4.",
             "conclusion_kbm": "`den_hartog_agreement`, `kbm_qualitative` and `kbm_low_friction` hold. But the sentence "
             f"has no condition on friction, and beyond μ/F_0 = {measured.same_up_to(two_b):g} even the number of folds "
             f"may differ: {_first_apart(two_b)}.",
@@ -68,8 +68,8 @@ def _den_hartog(figure: dict[str, Any]) -> str:
     return (
         f"{HERE}: for {_span(rows)} and Ω = 0.5 to 0.98, 1.02 to 1.5 the exact motion is (35) within {moving:.0e} "
         f"wherever it does not stop; in the whole window, stops included, within {percent(EXCELLENT)} up to "
-        f"{measured.excellent_throughout(rows)[-1]:g}. Appendix A's recipe with F_0 = 0.05 reads within "
-        f"{percent(EXCELLENT)} of (35) up to {read[-1]:g}, and strays by "
+        f"{measured.excellent_throughout(rows)[-1]:g}. Appendix A's recipe with F_0 = 0.05 is within "
+        f"{percent(EXCELLENT)} of (35) up to {read[-1]:g}, and differs by "
         f"{listed(f'{percent(off)} at {ratio:g}' for ratio, off in strayed.items())}."
     )
 
@@ -111,7 +111,7 @@ def _acceptable(figure: dict[str, Any]) -> str:
     rows = figure["rows"]
     fine = [row for row in rows if row["point"]["off"] <= ACCEPTABLE]
     coarse = listed(
-        f"{percent(row['point']['off'])} at {row['forcing']} ({percent(row['height']['off'])} of the curve's height)"
+        f"{percent(row['point']['off'])} at {row['forcing']} ({percent(row['height']['off'])} of the peak)"
         for row in rows
         if row not in fine
     )

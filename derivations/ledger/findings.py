@@ -100,7 +100,7 @@ def _findings(facts: Facts, evidence: dict[str, str]) -> list[Finding]:
             f"({'both proved' if facts.integrals_agree else 'not proved'}), and (19) is right with these. So (20) "
             "should read H_i = −(1/π)∫; the slip does not affect (21) and later equations.",
         ),
-        judged("Section 3.1: a nonzero μ does not force a numerical solution", "claim:numerical_only"),
+        judged("Section 3.1: a nonzero μ does not require a numerical solution", "claim:numerical_only"),
         judged(
             "Section 3.2: a negative trace does not make every eigenvalue's real part negative", "claim:trace_negative"
         ),
@@ -116,7 +116,7 @@ def _findings(facts: Facts, evidence: dict[str, str]) -> list[Finding]:
             "F_AA = 0. The printed F_SN = 0.0217 belongs to the second root. (34) is similar. "
             + evidence["claim:resultant_even_6"].partition("Three")[1]
             + evidence["claim:resultant_even_6"].partition("Three")[2]
-            + " And where the preload is small (33) does not name the onset: there is an inflection point below u_cr o"
+            + " And where the preload is small (33) does not give the onset: there is an inflection point below u_cr o"
             + evidence["claim:inflection"][1:],
         ),
         Finding(
@@ -132,7 +132,7 @@ def _findings(facts: Facts, evidence: dict[str, str]) -> list[Finding]:
         Finding(
             "Section 4.2: F_cr tends to 4μ/π, not πμ/4",
             ("formula:F_cr_limit_literal", "number:F_cr_limit", "claim:F_cr_limit"),
-            evidence["claim:F_cr_limit"] + " The fraction is upside down: μ/F_0 = π/4 is the sticking threshold.",
+            evidence["claim:F_cr_limit"] + " The fraction is inverted: μ/F_0 = π/4 is the sticking threshold.",
         ),
         judged(
             "Section 4.3: Ω_cr = 0.9288 is the frequency of another point", "number:Omega_cr", "claim:example_Omega_cr"
@@ -155,7 +155,7 @@ def _findings(facts: Facts, evidence: dict[str, str]) -> list[Finding]:
         ),
         judged("Table 2, 0.040: the jump-down frequency is 0.99385, printed 0.9938", entry(4, "jump_down_Omega")),
         Finding(
-            "Table 2, 0.050: nothing found has the jump-down frequency 1.0175",
+            "Table 2, 0.050: no parameter tried gives the jump-down frequency 1.0175",
             (entry(5, "jump_down_Omega"), "claim:jump_points"),
             f"The fold is at Ω = {significant(facts.fold('0.050', 'jump-down').Omega)}. "
             + evidence[entry(5, "jump_down_Omega")]

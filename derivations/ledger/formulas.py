@@ -327,7 +327,7 @@ def _slow_flow(results: Results) -> dict[str, Subject]:
             sp.tan(phase),
             f"{NOTATION}, {FRICTION}",
             values={"H_i": h + A},
-            remark="The tangent leaves φ open by π; the derivation has φ = atan2(−I, −R).",
+            remark="The tangent determines φ up to π; the derivation has φ = atan2(−I, −R).",
         ),
         "backbone": same(
             0,
@@ -367,8 +367,8 @@ def _critical(results: Results) -> dict[str, Subject]:
             fields(onset, "dF/dA", "d2F/dA2", "A = A_s", "A_s", "b_i"),
             how=FIELDS,
             remark=f"Degree {onset.degree}; powers that vanish identically: the odd ones; content {onset.content}; "
-            f"{len(onset.factors)} irreducible factor over Q[A, α, β, γ, ζ, m], so no extraneous factor: what it adds "
-            "are roots, not factors.",
+            f"{len(onset.factors)} irreducible factor over Q[A, α, β, γ, ζ, m], so no extraneous factor: "
+            "elimination adds roots, not factors.",
         ),
         "detachment_resultant": same(
             fields(detachment, "F", "dF/dOmega", "A = u_cr", "F_cr", "c_i(delta_h)"),

@@ -22,11 +22,11 @@ THRESHOLD = math.pi / 4
 LOW = THRESHOLD / 2  # of mu/F_0: the paper's low and high are far from and close to pi/4
 SEVERAL = 3
 
-#: by claim: what makes it true, what loose as worded; otherwise it is false
+#: by claim: what makes it true, what imprecise; otherwise it is false
 CRITERIA: dict[str, tuple[str, str]] = {
     "den_hartog_agreement": (
-        "for at least three values of μ/F_0, (35) is within 1 % of the exact amplitude in the whole window, and what "
-        "the paper's own recipe reads within 1 % of (35) wherever it was run",
+        "for at least three values of μ/F_0, (35) is within 1 % of the exact amplitude in the whole window, and the "
+        "result of the paper's own recipe is within 1 % of (35) wherever the recipe was run",
         "(35) within 1 % only where the mass does not stop, or the recipe for fewer values",
     ),
     "kbm_qualitative": (

@@ -22,7 +22,7 @@ from . import balls
 
 PYTHAGORAS = "sin²x + cos²x = 1"
 ROOT = "(√e)² = e"
-MULTIPLES = "multiple angles by those of the smallest angle"
+MULTIPLES = "expressing multiple angles by the smallest one"
 
 
 @dataclass(frozen=True)

@@ -15,12 +15,12 @@ AMBIGUOUS = "not decidable: our text is ambiguous"
 INPUT = "input"
 TRUE = "true"
 FALSE = "false"
-LOOSE = "loose as worded"
+LOOSE = "imprecise"
 DEFINITION = "definition"
 
 #: what each verdict says, in the order of the summary
 VOCABULARY: dict[str, str] = {
-    IDENTICAL: "formulas: the same expression but for the order of terms, proved; numbers: the derived value rounds to "
+    IDENTICAL: "formulas: the same expression up to the order of terms, proved; numbers: the derived value rounds to "
     "the printed digits",
     REWRITTEN: "proved equal over the rationals once the relations that the row names are used",
     DIFFERS: "the exact difference is not zero, or the printed digits are not the rounding of the derived value",

@@ -22,7 +22,7 @@ alpha_2, u_d = sp.symbols("alpha_2 u_d", real=True)
 
 MECHANISM = Mechanism(
     name="bilinear",
-    title="mass on a spring that has another stiffness beyond |x| = d",
+    title="mass on a bilinear spring, whose stiffness changes at |x| = d",
     x=x,
     k_v=k_v,
     length=L,

@@ -20,7 +20,7 @@ alpha_2, u_d = sp.symbols("alpha_2 u_d", real=True)
 
 MECHANISM = Mechanism(
     name="elastic_stop",
-    title="mass on a spring, between elastic stops behind a gap",
+    title="mass on a spring, between two elastic stops with a gap",
     x=x,
     k_v=k_v,
     length=L,

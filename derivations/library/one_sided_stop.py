@@ -23,7 +23,7 @@ delta = sp.Symbol("delta", real=True)
 
 MECHANISM = Sided(
     name="one_sided_stop",
-    title="mass on a spring, with an elastic stop behind a gap on one side",
+    title="mass on a spring, with an elastic stop with a gap on one side",
     pieces=(u, u + kappa * (u - delta)),
     ends=(delta,),
     design=(

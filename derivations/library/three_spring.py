@@ -27,7 +27,7 @@ length = sp.sqrt(a**2 + x**2)
 
 MECHANISM = Mechanism(
     name="three_spring",
-    title="mass on a vertical spring between two oblique ones, quasi-zero stiffness",
+    title="mass on three springs, a vertical one and two oblique ones: quasi-zero stiffness",
     x=x,
     k_v=k_v,
     length=a,

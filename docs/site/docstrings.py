@@ -31,6 +31,9 @@ def paragraph(lines: list[str]) -> Iterator[str]:
     if len(lines) > 1 and set(lines[1]) == {"-"}:
         yield f"**{lines[0]}**"
         yield ""
+        if lines[0] == "Notes":
+            yield from (escaped(line.strip()) for line in lines[2:])
+            lines = []
         for line in lines[2:]:
             name, _, kind = line.partition(" : ")
             term = f"``{name}``" + (f" : {escaped(kind)}" if kind else "")

@@ -270,7 +270,7 @@ def test_it_compares_itself_and_measures_its_frames(browser: Any) -> None:
         page.click("#check")
         page.wait_for_selector("#check-result:not(:empty)")
         result = re.match(
-            r"(\d+) of (\d+) numbers equal .* A frame of all pictures takes [\d.]+ ms", page.inner_text("#check-result")
+            r"(\d+) of (\d+) numbers equal .* Drawing all plots takes [\d.]+ ms", page.inner_text("#check-result")
         )
         assert result and result[1] == result[2] and int(result[1]) > 50
 

@@ -199,7 +199,7 @@ def test_explain_lists_the_plan_and_solves_nothing(scene, monkeypatch, capsys):
     path = scene(MOUNT.replace("F = [3.0, 5.0]", "F = [0.3]"))
     code, out, _ = run("explain", path, capsys=capsys)
     assert code == 0 and "saddle_nodes at F = 0.3 N\n  force         skipped  sticks" in out
-    assert out.count("  takes         ") == len(scenes.read(path).asked) and "\ntogether " in out
+    assert out.count("  takes         ") == len(scenes.read(path).asked) and "\nin total " in out
     left = "rest, margins, hysteresis, isolation, spectrum, transient, shock_spectrum, random, tolerances, "
     left += "exact_response, fold_locus, cusps, isola_points"
     assert out.endswith(f"not requested, not computed: {left}\n")
@@ -705,7 +705,7 @@ def test_the_command_line_says_its_version_and_is_a_module_too():
     done = subprocess.run([sys.executable, "-m", "slowflow", "--version"], capture_output=True, text=True, check=True)
     assert done.stdout == f"slowflow {slowflow.__version__}\n"
     helped = subprocess.run([sys.executable, "-m", "slowflow", "--help"], capture_output=True, text=True, check=True)
-    assert "Exit codes: 0 done; 1 a question that could not" in " ".join(helped.stdout.split())
+    assert "Exit codes: 0 success; 1 a question without an answer" in " ".join(helped.stdout.split())
 
 
 def test_a_file_that_is_no_text_is_named(tmp_path):

@@ -70,7 +70,7 @@ def test_judging_counts_what_is_missed_and_what_is_false() -> None:
 def test_quantities_in_words() -> None:
     assert document.quantity(2.5e-4, "s") == "250 µs"
     assert document.quantity(math.pi, "s") == "3.14 s"
-    assert document.quantity(2e6, "a second") == "2.00e6 a second"
+    assert document.quantity(2e6, "per second") == "2.00e6 per second"
     assert document.quantity(float(np.float64(0)), "MB") == "0 MB"
 
 
@@ -168,9 +168,9 @@ def test_missed_target_is_explained_by_the_machine_or_said() -> None:
     found = [
         targets.replace(row("quartics", 4.0, 3.0, "s", True), known=known),
         row("a time", 1.0, 1.9, "s", True),
-        row("a rate", 10.0, 5.5, "a second", False),
+        row("a rate", 10.0, 5.5, "per second", False),
         row("a slow time", 1.0, 2.1, "s", True),
-        row("a slow rate", 10.0, 4.0, "a second", False, "peak"),
+        row("a slow rate", 10.0, 4.0, "per second", False, "peak"),
         row("a ratio", 2.0, 2.1, "×", True),
         row("kept", 1.0, 0.5, "s", True),
     ]

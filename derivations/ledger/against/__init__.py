@@ -35,7 +35,7 @@ APPROXIMATE = "approximate"
 
 #: what each verdict says, in the order of the summary
 VOCABULARY = {
-    IDENTICAL: "the same expression but for the order of terms, proved",
+    IDENTICAL: "the same expression up to the order of terms, proved",
     REWRITTEN: "proved equal once what the row names is used",
     APPROXIMATE: "the publication gives it as an approximation; the row has its error, from certified values",
     DIFFERS: "the exact difference is not zero: it is shown",
@@ -130,7 +130,7 @@ def solves(residual: Callable[[sp.Expr], sp.Expr], arguments: Mapping[str, Any],
     """The published value, put into a derived equation, solves it, or what is left."""
 
     def check(function: Callable[..., Any]) -> Judged:
-        left = equal(sp.Integer(0), {}, rewriting=f"putting it into {derived}")(
+        left = equal(sp.Integer(0), {}, rewriting=f"substitution into {derived}")(
             lambda *, xp: residual(value(function, arguments))
         )
         return Judged(left.verdict, plain(function), derived, left.difference, left.evidence)

@@ -121,11 +121,14 @@ def formulas(derived: Derived) -> dict[str, Judge]:
 
     return {
         "force": equal(
-            rest + force, place, rewriting=LENGTHS, remark="√(1 − γ²) is the vertical spring's share at rest."
+            rest + force,
+            place,
+            rewriting=LENGTHS,
+            remark="√(1 − γ²) is the force of the vertical spring at equilibrium.",
         ),
         "stiffness": equal(stiffness, place, rewriting=LENGTHS),
-        "gamma_qzs": equal(of_alpha, {"alpha": alpha}, remark="The only zero of the stiffness at rest."),
-        "alpha_qzs": equal(of_gamma, {"gamma": gamma}, remark="The only zero of the stiffness at rest."),
+        "gamma_qzs": equal(of_alpha, {"alpha": alpha}, remark="The only zero of the stiffness at equilibrium."),
+        "alpha_qzs": equal(of_gamma, {"gamma": gamma}, remark="The only zero of the stiffness at equilibrium."),
         "excursion": solves(
             lambda found: quasi_zero.subs(y_hat, found) - K_o, {"gamma": gamma, "K_o": K_o}, "K(ŷ) = K_o"
         ),
@@ -152,7 +155,7 @@ def claims(derived: Derived) -> Claims:
     linear = _at_rest(derived)
     unique = len(sp.solve(linear, alpha)) == len(sp.solve(linear, gamma)) == 1
     return {
-        "unique": (TRUE if unique else FALSE, "The stiffness at rest has one zero in α, and one in γ."),
+        "unique": (TRUE if unique else FALSE, "The stiffness at equilibrium has one zero in α, and one in γ."),
         "monotone": (
             TRUE if rises else FALSE,
             "With (11b) the stiffness has the slope 3γ³ŷ/((1 − γ)(γ² + ŷ²)^(5/2)), proved: it has the sign of ŷ.",

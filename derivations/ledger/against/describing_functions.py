@@ -31,7 +31,7 @@ def formulas(derived: Derived) -> dict[str, Judge]:
             derived.friction / A,
             {"M": mu, "A": A},
             remark="Dry friction is a relay of the velocity: its describing function times the velocity's amplitude is "
-            "friction's share of I, m = 4μ/π.",
+            "the contribution of friction to I, m = 4μ/π.",
         ),
         "dead_zone": equal(_average(derived, "dead_zone"), {"delta": A * sp.sin(t), "A": A}, rewriting=ANGLE),
         "saturation": equal(

@@ -71,7 +71,7 @@ def second_order(derived: Derived, force: sp.Expr, excitation: sp.Expr) -> tuple
 
 def formulas(derived: Derived) -> dict[str, Judge]:
     """Balances of one harmonic, and rates of second order."""
-    harmonic = "one harmonic in the equation of motion, second derivatives of u and v left out"
+    harmonic = "one harmonic in the equation of motion, second derivatives of u and v neglected"
     averaging = "averaging (17) to second order"
     mixed, _ = second_order(derived, beta * X**2 + alpha * X**3, F * COSINE_2)
     forced, _ = second_order(derived, sp.S.Zero, F * COSINE)

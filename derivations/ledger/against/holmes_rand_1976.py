@@ -34,7 +34,7 @@ def formulas(derived: Derived) -> dict[str, Judge]:
             plain(function),
             shown,
             evidence="Its sine is right. But an arcsine has no negative cosine: it is the phase where R ≤ 0, which is "
-            "below the backbone. Above it the phase is −π less this.",
+            "below the backbone. Above it the phase is −π minus this.",
         )
 
     return {

@@ -84,7 +84,7 @@ def formulas(derived: Derived) -> dict[str, Judge]:
         published = value(function, {"m": m, "omega_0": omega_0, "lam": lam, "kappa": kappa})
         true = (m * omega_0**2) ** 2 * exact.F2
         quotient = (published / true * Omega**3).subs(Omega, exact.Omega)
-        proved = " It is the exact one over Ω³, proved." if canonical(quotient - 1).is_zero else ""
+        proved = " It equals the exact one divided by Ω³, proved." if canonical(quotient - 1).is_zero else ""
         return over(published, true) + proved
 
     return {

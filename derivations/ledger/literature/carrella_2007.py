@@ -61,8 +61,8 @@ PUBLICATION = Publication(
     formulas=(
         Formula("(9)", "force", force),
         Formula("(10)", "stiffness", stiffness),
-        Formula("(11)", "γ for no stiffness at rest", gamma_qzs),
-        Formula("(11b)", "α for no stiffness at rest", alpha_qzs),
+        Formula("(11)", "γ for zero stiffness at equilibrium", gamma_qzs),
+        Formula("(11b)", "α for zero stiffness at equilibrium", alpha_qzs),
         Formula("(14)", "excursion at which the stiffness is K_o", excursion),
         Formula("(19)", "γ for the largest excursion", gamma_opt),
         Formula("(28)", "cubic for the force", cubic_force),

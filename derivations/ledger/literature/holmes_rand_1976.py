@@ -24,7 +24,7 @@ PUBLICATION = Publication(
     title="A cubic spring: amplitude and phase",
     citation="P. J. Holmes, D. A. Rand, The bifurcations of Duffing's equation: an application of catastrophe theory, "
     "J. Sound Vib. 44 (1976) 237–253",
-    read_in="A notebook, Duffing Oscillator Bifurcation, that quotes both, without the paper's numbers of them.",
+    read_in="A notebook, Duffing Oscillator Bifurcation, that quotes both, without the paper's equation numbers.",
     formulas=(
         Formula("quoted", "square of the amplitude", amplitude_polynomial),
         Formula("quoted", "phase", phase),

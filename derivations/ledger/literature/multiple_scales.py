@@ -47,8 +47,8 @@ PUBLICATION = Publication(
     read_in="The article, section Principles and Mechanisms. The book was not read.",
     formulas=(
         Formula("Unforced oscillator", "backbone", frequency),
-        Formula("Primary resonance", "rate of the amplitude", amplitude_rate),
-        Formula("Primary resonance", "rate of the phase", phase_rate),
+        Formula("Primary resonance", "da/dT_1", amplitude_rate),
+        Formula("Primary resonance", "dγ/dT_1", phase_rate),
         Formula("Primary resonance", "frequency response", response),
         Formula("Bistability", "F²α/σ³ at the cusp", cusp),
         Formula("Transient dynamics", "time constant at the peak", relaxation),

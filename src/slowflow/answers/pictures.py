@@ -519,6 +519,6 @@ def _signs(ax: Any) -> Iterator[tuple[Any, str]]:
     for text in sorted(beyond):
         yield Patch(color=DETACHED), text
     tints = {mpl.colors.to_hex(one) for drawn in ax.collections for one in drawn.get_facecolor()}
-    for tint, text in ((STOPPING, r"$A\,\Omega^2 < \mu$: stops"), (UNSTABLE_REGION, "would be unstable")):
+    for tint, text in ((STOPPING, r"$A\,\Omega^2 < \mu$: stops"), (UNSTABLE_REGION, "unstable region")):
         if tint.lower() in tints:
             yield Patch(color=tint), text

@@ -76,9 +76,9 @@ def _progress(quiet: bool) -> contextlib.AbstractContextManager[None]:
 
 
 def run_scene(args: argparse.Namespace) -> int:
-    """Answers what a scene asks for, and computes nothing else; 1 where a question could not be answered.
+    """Compute the results that an input file requests.
 
-    3 where all could and a requirement is not met.
+    Exit code 1 if a question has no answer, 3 if all have one and a requirement is not met.
     """
     if args.report is not None and not _can_draw():
         return 2
@@ -129,9 +129,9 @@ def run_scene(args: argparse.Namespace) -> int:
 
 
 def meet_scene(args: argparse.Namespace) -> int:
-    """Find the design nearest to a scene's that meets what it requires, of the numbers within its [free].
+    """Find the nearest design that meets the requirements of an input file, within the ranges of [free].
 
-    0 where there is one; 3 where there is none, with the design that comes nearest.
+    Exit code 3 if no design meets them: the one with the smallest violation is returned.
     """
     scene = _read(args.scene)
     with _progress(args.quiet):
@@ -194,7 +194,7 @@ def explain_scene(args: argparse.Namespace) -> int:
         total += (seconds := scene.seconds(query))
         print(*(f"  {step}" for step in (plan.steps if plan else ())), f"  {'takes':14}{_some(seconds)}", sep="\n")
     print(
-        f"together {_some(total)}: estimates from medians of random mounts on {costs.MACHINE}; nine of ten were "
+        f"in total {_some(total)}: estimates from medians of random mounts on {costs.MACHINE}; nine of ten were "
         f"within a factor of {costs.SPREAD:g}"
     )
     if scene.requirements:
@@ -208,7 +208,7 @@ def explain_scene(args: argparse.Namespace) -> int:
 
 def _some(seconds: float) -> str:
     """A time with the one digit that an estimate has."""
-    return f"some {float(f'{seconds:.1g}'):g} s" if seconds >= SHORT else f"below {SHORT:g} s"
+    return f"about {float(f'{seconds:.1g}'):g} s" if seconds >= SHORT else f"below {SHORT:g} s"
 
 
 def derive_mechanisms(args: argparse.Namespace) -> int:
@@ -329,9 +329,9 @@ def parser() -> argparse.ArgumentParser:
     """Of the subcommands, each with its options and the function that runs it."""
     whole = argparse.ArgumentParser(
         prog="slowflow",
-        description="Slow flow of piecewise-smooth vibration isolators.",
-        epilog="Exit codes: 0 done; 1 a question that could not be answered, or a proof that was not found; "
-        "2 arguments or a scene that are not allowed; 130 interrupted; 141 the output was closed by its reader.",
+        description="Jumps, detachment, response curves and transmissibility of nonlinear vibration isolators.",
+        epilog="Exit codes: 0 success; 1 a question without an answer, or a proof that was not found; 2 invalid "
+        "arguments or input file; 3 a requirement that is not met; 130 interrupted; 141 output closed by its reader.",
     )
     whole.add_argument("--version", action="version", version=f"slowflow {slowflow.__version__}")
     commands = whole.add_subparsers(dest="command", required=True)
@@ -350,7 +350,7 @@ def parser() -> argparse.ArgumentParser:
         "Proofs for an isolator in interval arithmetic. Omitted parameters are those of Table 1 of the paper.",
     )
     option("F_0", type=float, help="forcing amplitude over k_v L")
-    option("--Omega", type=float, help="a frequency at which all states are proved too")
+    option("--Omega", type=float, help="frequency at which all states are proved too, over sqrt(k_v/m)")
     for domain in OF_ISOLATOR:
         option(f"--{domain.name}", type=float, help=domain.doc)
     option = command(run_scene, "run", "compute the answers of an input file", run_scene.__doc__)

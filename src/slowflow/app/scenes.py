@@ -45,7 +45,7 @@
 
 [spectrum], the record of a [shock], and [psd] may have `file = "columns.csv"` instead of lists, in the folder of the
 scene, see `slowflow.oscillators.measurements`. Only the requested questions are computed. A scene contains no code and
-no expressions: numbers, words, lists. Errors raise `SceneError` with line, allowed values and the closest known word.
+no expressions: numbers, strings, lists. Errors raise `SceneError` with line, allowed values and the closest valid name.
 """
 
 from __future__ import annotations

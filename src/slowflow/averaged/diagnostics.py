@@ -29,7 +29,7 @@ Codes = npt.NDArray[np.uint16]
 NEXT_TO_JUMP, OF_SLOPE = 1e-3, 0.25
 
 NEAR_STICKING_BELOW = text(
-    "at low frequencies {mu/(F_0 Omega^2)|friction over the force of inertia} is near pi/4, where averaging fails"
+    "at low frequencies {mu/(F_0 Omega^2)|the ratio of friction to inertia force} is near pi/4, where averaging fails"
 )
 
 MESSAGES: Mapping[Remark, str | Sentence] = {

@@ -48,7 +48,7 @@ _MOTION = Step("motion", True, "Taylor series from event to event: stop, breakpo
 _NOTHING_MOVES = Step("averaging", False, "not needed: a static question")
 _NO_STEADY_STATE = Step("averaging", False, "not needed: the motion is not a steady state")
 _CURVE = (
-    Step("curve", True, "its events, and the arcs between them"),
+    Step("curve", True, "its folds, peaks and corners, and the arcs between them"),
     Step("folds", True, f"{FOLDS}; they divide the curve into pieces"),
     Step("phase", False, "computed when .phi is first read"),
 )

@@ -95,13 +95,13 @@ class Fit(Numbers):
     """Parameters fitted to a measurement, one row each.
 
     value     -- the fitted value, for a mount in SI units, given by `unit`
-    error     -- its standard error, from the linearized equations; low, high -- its 95 % confidence interval by the
-                 profile likelihood, with 0 or inf where the data do not bound it
+    error     -- its standard error, from the linearized equations
+    low, high -- its 95 % confidence interval by the profile likelihood, with 0 or inf where the data do not bound it
     design    -- the oscillator or mount with the fitted values
     residuals -- measured minus fitted amplitude, phase, jump frequency, displacement or force at each point, in order;
                  upward jumps first
-    at        -- the frequency, the forcing, the time or the displacement of each point; names -- of `at` and
-            `residuals`, with units
+    at        -- the frequency, the forcing, the time or the displacement of each point
+    names     -- names of `at` and `residuals`, with units
     deviation -- standard deviation of the residuals, with (points - parameters) degrees of freedom
     correlation -- correlation matrix of the parameters, shape (n, n)
     """

@@ -35,9 +35,11 @@ SYSTEMATIC = (
 class Loop(Numbers):
     """Parameters identified from a force-displacement loop, one row each; values in SI units.
 
-    error     -- standard errors; low, high -- 95 % confidence intervals, for normal noise in the force
+    error     -- standard errors
+    low, high -- 95 % confidence intervals, for normal noise in the force
     F_mean    -- force at x = 0 between the branches, in N
-    x, F      -- the loop; fitted -- the fitted force, NaN where the motion reverses
+    x, F      -- the loop
+    fitted    -- the fitted force, NaN where the motion reverses
     deviation -- standard deviation of the residuals, in N
     """
 

@@ -90,7 +90,8 @@ class Front(Table, entry="Compromise"):
     """Pareto-optimal designs for two answers, in ascending order of `one`.
 
     one, other -- the two answers, for a mount in SI units, printed in N, mm, Hz
-    answers    -- their names; units -- their units, "" if dimensionless
+    answers    -- their names
+    units      -- their units, "" if dimensionless
     numbers    -- the free parameters of each design, by name, as on the data sheet
     message    -- the requirement that cannot be met if there is no design; that there is no trade-off if there is one
     """
