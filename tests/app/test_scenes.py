@@ -10,6 +10,7 @@ import os
 import re
 import subprocess
 import sys
+import tomllib
 from pathlib import Path
 
 import numpy as np
@@ -426,139 +427,18 @@ def test_a_loop_needs_a_mass(loop, tmp_path, capsys):
     assert code == 2 and "m = '8 g' is not allowed: m must be a number in kg" in err
 
 
-#: the commonest wrong scenes: what is replaced in a right one, by what; line and message
-WRONG = {
-    "a misspelt key": (
-        "preload = 0.009",
-        "preloda = 0.009",
-        "9: preloda is not a key of [mount]: it must be one of m, k_v, k_h, L, preload, n, mounts, friction, c, zeta, "
-        "eta, c_2, c_3, c_xx, rubs, static_friction, load, force, excitation. Did you mean 'preload'?",
-    ),
-    "a number outside its domain": (
-        "zeta = 0.02",
-        "zeta = -0.02",
-        "11: zeta = -0.02 is not allowed: zeta must be a finite real number >= 0",
-    ),
-    "a number as text with its unit": (
-        "m = 12.0",
-        'm = "12 g"',
-        "4: m = '12 g' is not allowed: m must be a number in kg, or one with a unit of kg, lb, as '20 lb'",
-    ),
-    "a number in quotes": (
-        "m = 12.0",
-        'm = "12"',
-        "4: m = '12' is not allowed: m must be a number in kg, or one with a unit of kg, lb, as '20 lb'. "
-        "Remove the quotes: 12 is a number",
-    ),
-    "forces in quotes": (
-        "F = [3.0, 5.0]",
-        'F = [3.0, "5.0"]',
-        "14: F = '5.0' is not allowed: F must be a number in N, or one with a unit of N, mN, kN, lbf, as '20 lbf'",
-    ),
-    "a key that is missing": ("k_v = 2500.0\n", "", "3: [mount] k_v is missing: [mount] needs m, k_v, k_h, L, preload"),
-    "an unknown question": (
-        '"saddle_nodes"',
-        '"saddle_node"',
-        "17: questions = 'saddle_node' is not allowed: it must be one of detachment, "
-        "saddle_node_onset, saddle_nodes, amplitudes, frequency_response, peak, rest, at_rest, margins, hysteresis, "
-        "isolation, spectrum, transient, shock_spectrum, random, tolerances, exact_response, fold_locus, cusps, "
-        "isola_points. Did you mean 'saddle_nodes'?",
-    ),
-    "a decimal comma": (
-        "L = 0.080",
-        "L = 0,080",
-        " this is not TOML: Expected newline or end of document after a statement (at line 8, column 6)",
-    ),
-    "a dimensionless forcing of a mount": (
-        "F = [3.0, 5.0]",
-        "F_0 = [3.0, 5.0]",
-        "14: F_0 is not a key of [ask] here: it must be one of F, f, window, samples, level_dB, questions; "
-        "the amplitude of the excitation = 'force' is F, in N\n",
-    ),
-    "a force where the base moves": (
-        "zeta = 0.02",
-        'zeta = 0.02\nexcitation = "base"',
-        "15: F is not a key of [ask] here: it must be one of Y, f, window, samples, level_dB, questions; "
-        "the amplitude of the excitation = 'base' is Y, in m\n",
-    ),
-    "a dimensionless frequency of a mount": (
-        "f = [5.0]",
-        "Omega = [5.0]",
-        "15: Omega is not a key of [ask] here: it must be one of F, f, window, samples, level_dB, questions; "
-        "the frequency is f, in Hz\n",
-    ),
-    "a word for the excitation that is none, before the keys that depend on it": (
-        "zeta = 0.02\n\n[ask]\nF =",
-        'zeta = 0.02\nexcitation = "floor"\n\n[ask]\nY =',
-        "12: excitation = 'floor' is not allowed: excitation must be 'force' or 'base' or 'unbalance' or "
-        "'acceleration'; 'base' is a floor or support that moves, 'unbalance' a rotating mass\n",
-    ),
-    "a law of damping with an index, which is no other law": (
-        "zeta = 0.02",
-        "zeta = 0.02\neta_2 = 0.1",
-        "12: eta_2 is not a key of [mount]: it must be one of m, k_v, k_h, L, preload, n, mounts, friction, c, zeta, "
-        "eta, c_2, c_3, c_xx, rubs, static_friction, load, force, excitation\n",
-    ),
-    "a length so small that scales leave the doubles": (
-        "L = 0.080",
-        "L = 1e-320",
-        "4: m = 12, k_v = 2500, L = 9.99989e-321: not allowed together, out of the range of doubles\n",
-    ),
-    "two oscillators": (
-        "[ask]",
-        "[isolator]\n[ask]",
-        "13: [isolator] needs one of [mount], [spring], [isolator], [duffing], has 2",
-    ),
-    "a misspelt table": (
-        "[ask]",
-        "[aks]",
-        "13: [aks] is not a table of a scene: it must be one of mount, spring, isolator, duffing, ask, spectrum, "
-        "tolerances, shock, psd, require, free. Did you mean 'ask'?",
-    ),
-    "a force that is not positive": (
-        "F = [3.0, 5.0]",
-        "F = [3.0, 0.0]",
-        "14: F = 0.0 is not allowed: F must be a finite real number > 0",
-    ),
-    "a window that runs down": ("[0.5, 6.0]", "[6.0, 0.5]", "16: window[1] = 0.5 is not allowed"),
-    "quadratic damping that is none": (
-        "zeta = 0.02",
-        "zeta = 0.02\nc_2 = -30",
-        "12: c_2 = -30 is not allowed: c_2 must be a finite real number >= 0",
-    ),
-    "a load that is none": (
-        "zeta = 0.02",
-        "zeta = 0.02\nload = -1",
-        "12: load = -1 is not allowed: load must be a finite real number > 0",
-    ),
-    "forces that are none": ("F = [3.0, 5.0]", "F = []", "14: F = [] is not allowed: F must be a list of numbers"),
-    "a spectrum without its pairs": (
-        'questions = ["at_rest"',
-        'questions = ["spectrum"',
-        "17: questions = 'spectrum' needs a table [spectrum], which is missing",
-    ),
-    "a spectrum with pairs that are none": (
-        'questions = ["at_rest"',
-        'spectrum = { f = [1.0, 2.0], F = [1.0] }\nquestions = ["at_rest"',
-        "17: spectrum is not a key of [ask]",
-    ),
-    "a forcing that is missing": ("F = [3.0, 5.0]\n", "", "13: [ask] F is missing: saddle_nodes needs it"),
-    "samples that are too few": (
-        "[ask]",
-        "[ask]\nsamples = 1",
-        "14: samples = 1 is not allowed: samples must be an integer >= 2",
-    ),
-}
+#: the commonest wrong scenes
+WRONG = tomllib.loads((ROOT / "tests" / "data" / "wrong_scenes.toml").read_text())
 
 
 @pytest.mark.parametrize("what", WRONG)
 def test_wrong_scene_is_refused_with_line_key_and_value(what, scene, capsys):
-    right, wrong, message = WRONG[what]
-    assert right in MOUNT
-    path = scene(MOUNT.replace(right, wrong))
+    case = WRONG[what]
+    assert case["right"] in MOUNT
+    path = scene(MOUNT.replace(case["right"], case["wrong"]))
     for command in ("run", "check", "explain"):
         code, out, err = run(command, path, capsys=capsys)
-        assert (code, out) == (2, "") and err.startswith(f"{path}:{message}")
+        assert (code, out) == (2, "") and err.startswith(f"{path}:{case['message']}")
 
 
 def test_a_file_that_cannot_be_read_is_named(tmp_path, capsys):

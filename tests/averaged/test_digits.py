@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 
 from slowflow import Duffing, Isolator
+from slowflow.answers.results import Remark
 from slowflow.averaged import solvers
 from tests.files import stored
 from tests.oracles.answers import VALUES, Nearby, errors
@@ -50,19 +51,25 @@ def test_answers_at_hard_places_are_complete_to_the_last_digit(case, excitation)
     each = list(found) if question in ("amplitudes", "saddle_nodes", "cusps", "isola_points") else [found]
     assert case["count"] == (0 if question == "saddle_node_onset" and found.F_SN is None else len(each))
     each = each[: case["count"]]
-    for name in {"kind", "stable", "minimum"} & set(case):
+    for name in {"kind", "stable", "minimum", "corner"} & set(case):
         assert [getattr(answer, name) for answer in each] == case[name]
     for name, values in case.get("exact", {}).items():  # where Newton's method leaves the place
         assert getattr(found, name) == pytest.approx(values, rel=WITHIN, abs=0)
+    if "by_balls" in case:
+        assert Remark.BY_BALLS in found.remarks and Remark.UNDECIDED not in found.remarks
+    if "proved" in case:
+        proof = one.certify(**query).amplitudes
+        assert proof.proved and len(proof.A) == case["count"]
     for answer in each if "exact" not in case else ():
         for name, (relative, rounding) in errors(answer, nearby, question, query).items():
             assert relative <= WITHIN and (rounding <= 1 or excitation != "force"), name
-    if question in ("saddle_nodes", "saddle_node_onset"):
+    if question in ("saddle_nodes", "saddle_node_onset", "amplitudes"):
         of_many = getattr(many, question)(**query)
         for name in VALUES[question][1].values():
             values = np.ravel(getattr(of_many, name))[: len(each)]
             assert values.tolist() == [getattr(answer, name) for answer in each]
         assert question == "saddle_node_onset" or (of_many.count == len(each) and not of_many.undecided)
+        assert of_many.remarks == int(found.remarks) and not (each and of_many.status)
 
 
 @pytest.mark.parametrize("zeta", [1e-14, 1e-12, 1e-10, 1e-8])

@@ -6,9 +6,10 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
+import sympy as sp
 from mpmath import mp
 
-from slowflow import Duffing, Isolator, example
+from slowflow import Duffing, Isolator, derive, example
 from slowflow.core.backend import SOLVER
 from slowflow_kernels.conventions import GradientStatus, PointType
 from tests.averaged.test_certified_cases import CENTRED, of_record
@@ -240,6 +241,17 @@ def test_gradients_hold_what_other_units_of_length_and_time_say(excitation, coun
     assert tried > 60 * count
 
 
+@pytest.mark.parametrize("size", [1.0, 2.0**-70, 2.0**70])
+def test_onset_where_the_force_jumps_moves_as_its_closed_form(size):
+    """There R = 0 and F_SN = 4 mu/pi + 2 zeta gap sqrt(k): what is 0 but for rounding is told in any unit of length."""
+    u, k, gap, step = sp.symbols("u k gap step")
+    made = derive.mechanism("step_up", [(k * u, gap), (k * u + step, None)], {"k": {"above": 0}, "gap": {}, "step": {}})
+    gradient = made(k=2.0, gap=0.3 * size, step=0.1 * size, mu=0.01 * size, zeta=0.02).saddle_node_onset().gradient()
+    rate = np.sqrt(2)
+    known = {"k": 0.02 * 0.3 * size / rate, "gap": 0.04 * rate, "step": 0, "mu": 4 / np.pi, "zeta": 0.6 * size * rate}
+    assert {by: gradient["F_SN", by] for by in gradient.by} == pytest.approx(known, rel=1e-14, abs=1e-14 * size)
+
+
 def test_shared_stiffness_moves_an_answer_by_its_product():
     """The force depends on the product lam r only."""
     for of in random_oscillators(2):
@@ -250,9 +262,6 @@ def test_shared_stiffness_moves_an_answer_by_its_product():
                     np.testing.assert_allclose(
                         of.lam * gradient[x, "lam"], of.r * gradient[x, "r"], rtol=1e-13, atol=1e-15
                     )
-
-
-# ---- many designs
 
 
 # ---- where there is none

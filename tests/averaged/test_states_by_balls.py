@@ -13,6 +13,7 @@ from slowflow.answers.results import Remark
 from slowflow.averaged import proofs, solvers
 from slowflow.averaged.many import AMPLITUDES
 from slowflow_kernels.conventions import Status
+from tests.files import stored
 from tests.oracles import averaged, counts
 from tests.sampling import slow
 
@@ -160,47 +161,12 @@ def test_a_batch_asks_balls_once(monkeypatch):
     assert len(tried) > 0
 
 
-#: of a Duffing oscillator alpha, beta, mu, zeta, with F_0 and Omega, all states: isolated exactly with FLINT
-EXACTLY = {
-    # balls proved that there is one state next to another one, but not where
-    "two within 5e-13": (
-        (0.6326340371158445, -0.03821692144945843, 0.0278477443036589, 0.012433901300974364),
-        (0.08189920824742837, 0.5620569377713686),
-        (0.2290485990004007, 3.3213081649870686, 3.3213081649886895),
-    ),
-    # nor where there is one of all amplitudes up to some
-    "beside a fold": (
-        (0.012283188642242229, -0.0006758557247165145, 45.88088026803511, 0.030327651397414102),
-        (58.4173513371808, 7.795718569462264e-07),
-        (0.4092514653257257,),
-    ),
-    # refused: branches coincide within rounding
-    "next to a static load": (
-        (29.81832541418141, -3361.035848648838, 0.049761610384264424, 0.005468932645293561),
-        (1.2498690184564438, 1e-07),
-        (0.06279328463970742, 0.06279345598843616, 0.1255867406279877),
-    ),
-}
-
-
-@flint
-@pytest.mark.parametrize("name", EXACTLY)
-def test_states_that_balls_prove_are_those_of_exact_algebra(name):
-    design, (F_0, Omega), states = EXACTLY[name]
-    one = Duffing(*design)
-    found, many = (ask.amplitudes(Omega=[Omega, Omega], F_0=F_0) for ask in (one, batch(one)))
-    assert Remark.BY_BALLS in found.remarks and Remark.UNDECIDED not in found.remarks
-    assert found.A.tolist() == pytest.approx(states * 2, rel=3e-16)
-    assert many.A[:, : len(states)].ravel().tolist() == found.A.tolist() and many.count.tolist() == [len(states)] * 2
-    assert many.remarks.tolist() == [int(found.remarks)] * 2 and not many.status.any()
-
-
 def test_coinciding_branches_are_refused_without_flint(monkeypatch):
     monkeypatch.setattr(importlib.util, "find_spec", lambda name: None)
-    design, (F_0, Omega), _ = EXACTLY["next to a static load"]
+    (case,) = (one for one in stored("hard_places") if one["why"].startswith("it was refused: branches coincide"))
     with pytest.raises(ArithmeticError, match="branches coincide"):
-        Duffing(*design).amplitudes(Omega=Omega, F_0=F_0)
-    assert batch(Duffing(*design)).amplitudes(Omega=Omega, F_0=F_0).status == Status.UNRESOLVED
+        Duffing(**case["numbers"]).amplitudes(**case["given"])
+    assert Duffing.many(**case["numbers"]).amplitudes(**case["given"]).status == Status.UNRESOLVED
 
 
 #: Duffing oscillators and forcings next to levels at which folds are born, of so many as are proved
