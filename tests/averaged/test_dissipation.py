@@ -18,7 +18,7 @@ from slowflow.exact.motion import Forced, advance
 from slowflow.sizing import tolerances
 from slowflow_kernels import duffing
 from slowflow_kernels.conventions import GradientStatus, Status
-from tests.oracles.by_time import largest
+from tests.oracles import by_time
 from tests.sampling import slow
 from tests.slopes import assert_slopes_are_differences
 
@@ -322,7 +322,7 @@ SHAKEN = [
 def test_exact_motions_are_those_of_independent_integration(osc, Omega, F_0, within):
     state = osc.steady_state(Omega=Omega, F_0=F_0)
     assert state.stops == 0 and state.stable
-    assert state.A == pytest.approx(largest(osc.restoring_force().value, osc, Omega, F_0, 40), rel=1e-6)
+    assert state.A == pytest.approx(by_time.largest(osc.restoring_force().value, osc, Omega, F_0, 40), rel=1e-6)
     (A,) = osc.amplitudes(Omega=Omega, F_0=F_0).A
     assert pytest.approx(A, rel=within) == state.A
     assert osc.rubs != "attached" or state.A > osc.breakpoints[0]
@@ -472,35 +472,17 @@ def test_a_mount_has_the_same_gradients():
 
 
 def rests_of(osc, Omega, F_0, turns):
-    """Where and until when the mass rests, and the largest |u| of the last turn: by SciPy from stop to stop."""
-    force = osc.restoring_force()
-
-    def push(t, u):
-        return F_0 * np.cos(Omega * t) - force.value(u)
-
-    t, u, end, found, largest = 0.0, 0.0, turns * 2 * np.pi / Omega, [], 0.0
-    while t < end:
-        if abs(push(t, u)) <= osc.mu_s:
-            later = t + np.linspace(1e-9, 2 * np.pi / Omega, 4001)
-            first = np.flatnonzero(abs(push(later, u)) > osc.mu_s)[0]
-            t = brentq(lambda at, u=u: abs(push(at, u)) - osc.mu_s, later[first - 1], later[first], xtol=1e-14)
-            found.append((t, u))
-        slip = np.sign(push(t, u))
-
-        def field(at, y, slip=slip):
-            resists = (2 * osc.zeta + osc.eta / Omega) * y[1] + slip * (osc.c_2 * y[1] ** 2 + osc.mu)
-            return [y[1], push(at, y[0]) - resists]
-
-        def stopped(_, y, slip=slip):
-            return slip * y[1]
-
-        stopped.terminal, stopped.direction = True, -1
-        start = [u, slip * 1e-14]
-        solution = solve_ivp(field, (t, end), start, rtol=1e-11, atol=1e-14, events=stopped, method="DOP853")
-        t, u = float(solution.t[-1]), float(solution.y[0, -1])
-        if t > end - 2 * np.pi / Omega:
-            largest = max(largest, np.abs(solution.y[0]).max())
-    return np.array(found), largest
+    """Where and until when the mass rests, and the largest |u| of the last turn."""
+    period, stops, largest_of_all = 2 * np.pi / Omega, [], 0.0
+    damped = osc.replace(eta=0.0, zeta=osc.zeta + osc.eta / (2 * Omega))
+    pull, span = osc.restoring_force().value, (0.0, turns * period)
+    precise = {"rtol": 1e-11, "atol": 1e-14}
+    for one in by_time.stretches(damped, pull, lambda t: F_0 * np.cos(Omega * t), span, (0.0, 0.0), **precise):
+        if one.slip == 0:
+            stops.append((one.t[-1], one.u[-1]))
+        elif one.t[-1] > span[1] - period:
+            largest_of_all = max(largest_of_all, np.abs(one.u).max())
+    return np.array(stops), largest_of_all
 
 
 @pytest.mark.parametrize(

@@ -5,9 +5,9 @@ import math
 import numpy as np
 import pytest
 import sympy as sp
-from scipy.integrate import solve_ivp
 
 from slowflow import Oscillator, derive
+from tests.oracles import by_time
 from tests.oracles.exact_reference import ScipyIntegrator, again
 from tests.sampling import slow
 
@@ -23,46 +23,26 @@ def spring(request):
     return made(c=C, k=K, mu=MU, zeta=ZETA)
 
 
-def slips(Omega, F_0, tau, y, end, direction, side):
-    """Time and state where motion on one side of u = 0 in one direction ends, by SciPy."""
-
-    def rates(tau, y):
-        push = F_0 * math.cos(Omega * tau) - side * C - K * y[0]
-        return [y[1], push - direction * MU - 2 * ZETA * y[1]]
-
-    def crosses(tau, y):
-        return side * y[0]
-
-    def stops(tau, y):
-        return direction * y[1]
-
-    def integrated(until, events=()):
-        return solve_ivp(rates, (tau, until), y, method="DOP853", rtol=1e-13, atol=1e-15, max_step=0.1, events=events)
-
-    crosses.terminal = stops.terminal = True
-    crosses.direction = stops.direction = -1
-    if min(abs(y)) == 0:  # off the event that was
-        first = integrated(tau + 1e-4)
-        tau, y = first.t[-1], first.y[:, -1]
-    found = integrated(end, (crosses, stops))
-    tau, (x, v) = found.t[-1], found.y[:, -1]
-    return tau, np.array([0.0 if found.t_events[0].size else x, 0.0 if found.t_events[1].size else v])
+PRECISE = {"rtol": 1e-13, "atol": 1e-15, "max_step": 0.1}
 
 
-def over_a_period(Omega, F_0, state):
+def slips(spring, Omega, F_0, span, state):
+    """Motion from a state on, without rests, by SciPy."""
+    push = lambda tau: F_0 * math.cos(Omega * tau)  # noqa: E731
+    return by_time.stretches(spring, lambda u: K * u, push, span, state, preload=C, **PRECISE)
+
+
+def over_a_period(spring, Omega, F_0, state):
     """The state a period later."""
-    tau, y, end = 0.0, np.array(state), 2 * math.pi / Omega
-    while tau < end:
-        side = np.sign(y[0]) or np.sign(y[1])
-        direction = np.sign(y[1]) or np.sign(F_0 * math.cos(Omega * tau) - side * C - K * y[0])
-        tau, y = slips(Omega, F_0, tau, y, end, direction, side)
-    return y
+    *_, last = slips(spring, Omega, F_0, (0.0, 2 * math.pi / Omega), state)
+    return np.array([last.u[-1], last.v[-1]])
 
 
-def multipliers_at(Omega, F_0, here, step=1e-5):
+def multipliers_at(spring, Omega, F_0, here, step=1e-5):
     """Of the map over a period, by differences."""
     differences = [
-        over_a_period(Omega, F_0, here + step * e) - over_a_period(Omega, F_0, here - step * e) for e in np.eye(2)
+        over_a_period(spring, Omega, F_0, here + step * e) - over_a_period(spring, Omega, F_0, here - step * e)
+        for e in np.eye(2)
     ]
     return np.sort_complex(np.linalg.eigvals(np.column_stack(differences) / (2 * step)))
 
@@ -74,8 +54,8 @@ def test_multipliers_are_those_of_integration_between_events(spring, Omega):
     found = spring.steady_state(Omega=Omega, F_0=F_0)
     assert found.stops == 0 and found.symmetric and len(found.phases) == 2
     here = np.array(found._state(0.0))
-    assert np.max(np.abs(over_a_period(Omega, F_0, here) - here)) <= 1e-13
-    np.testing.assert_allclose(np.sort_complex(found.multipliers), multipliers_at(Omega, F_0, here), atol=1e-7)
+    assert np.max(np.abs(over_a_period(spring, Omega, F_0, here) - here)) <= 1e-13
+    np.testing.assert_allclose(np.sort_complex(found.multipliers), multipliers_at(spring, Omega, F_0, here), atol=1e-7)
     assert abs(found.A / spring.amplitudes(Omega=Omega, F_0=F_0).A[0] - 1) < 0.05
 
 
@@ -85,7 +65,7 @@ def test_a_curve_passes_from_motions_with_stops_to_such_without(spring):
     # below, a motion that is its own mirror image gives way to two that are not
     state = curve.steady_state(int(np.argmin(np.abs(curve.Omega - 0.545))))
     assert state.symmetric and not state.stable and state.stops == 0
-    parted = multipliers_at(state.Omega, 0.15, np.array(state._state(0.0)))
+    parted = multipliers_at(spring, state.Omega, 0.15, np.array(state._state(0.0)))
     np.testing.assert_allclose(np.sort_complex(state.multipliers), parted, atol=1e-6)
     settles = spring.steady_state(Omega=state.Omega, F_0=0.15)
     assert settles.stable and not settles.symmetric
@@ -105,8 +85,9 @@ def test_rest_on_a_jump_of_the_force_is_followed_and_said(spring):
     Omega, F_0 = 0.2, 0.065
     swept = spring.sweep(Omega=[Omega], F_0=F_0)
     start = -math.acos((MU + C) / F_0) / Omega
-    _, (A, v) = slips(Omega, F_0, start, np.array([0.0, 0.0]), 10.0, 1, 1)
-    assert v == 0 and swept.settled.all() and swept.A[0] == pytest.approx(A, rel=1e-7)
+    moves = next(one for one in slips(spring, Omega, F_0, (start, 10.0), (0.0, 0.0)) if one.slip)
+    A = moves.u[-1]
+    assert abs(moves.v[-1]) < 1e-12 and swept.settled.all() and swept.A[0] == pytest.approx(A, rel=1e-7)
     with pytest.raises(ArithmeticError, match="the mass comes to rest at u = 0 in each period, where the force jumps"):
         spring.steady_state(Omega=Omega, F_0=F_0)
 

@@ -6,11 +6,12 @@ switching with the package.
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import Any
+from collections.abc import Callable, Iterator
+from typing import Any, NamedTuple
 
 import numpy as np
 from scipy.integrate import solve_ivp
+from scipy.optimize import brentq
 
 Pull = Callable[[float], float]
 
@@ -58,39 +59,76 @@ def mean_and_first(pull: Pull, osc: Any, Omega: float, F_0: float, start: Any, t
     return u.mean(), abs(2 * (u * np.exp(-1j * Omega * grid)).mean())
 
 
-def largest(pull: Pull, osc: Any, Omega: float, F_0: float, turns: int, preload: float = 0.0) -> float:
-    """The largest |u| in the last tenth of many turns, from switch to switch: for motions that never rest.
+class Stretch(NamedTuple):
+    """Of a motion between switches: times, u and u', the sign of the velocity, which is 0 at rest."""
 
-    A preload times the sign of u is added to the pull; friction may end at the first breakpoint.
+    t: Any
+    u: Any
+    v: Any
+    slip: float
+
+
+def stretches(
+    osc: Any, pull: Pull, push: Pull, span: tuple[float, float], state: Any, preload: float = 0.0, **options: Any
+) -> Iterator[Stretch]:
+    """u'' + damping + pull(u) = push(tau), all laws but structural damping, from switch to switch.
+
+    These are breakpoints, at the first of which friction may end, turns, rests up to the break-loose force, and with a
+    preload, which is added to the pull times the sign of u, the centre.
     """
-    force, edge = _force(osc, Omega, F_0), osc.breakpoints[0] if osc.breakpoints else np.inf
-    state, t, end, most = np.array([preload > 0, preload > 0]) * 1e-3, 0.0, turns * 2 * np.pi / Omega, 0.0
-    slip, side, inside = 1.0, 1.0, True
+    (t, end), (u, v), edges = span, map(float, state), osc.breakpoints
+    beyond = [abs(u) > edge for edge in edges]
+    side = np.sign(u) or np.sign(v) or np.sign(push(t))
+    slip = np.sign(v)
     while t < end:
-        mu = osc.mu if inside or osc.rubs == "throughout" else 0.0
 
-        def resting(tau: float, u: float, side: float = side) -> float:
-            return force * np.cos(Omega * tau) - pull(u) - side * preload
+        def free(tau: Any, u: float = u, side: float = side) -> Any:
+            return push(tau) - pull(u) - side * preload
 
-        def field(tau: float, y: Any, slip: float = slip, mu: float = mu, resting: Any = resting) -> Any:
-            viscous = 2 * (osc.zeta + osc.zeta_2 * y[0] ** 2) + osc.eta / Omega + osc.c_3 * y[1] ** 2
+        rubs = osc.rubs == "throughout" or not (beyond and beyond[0])
+        if v == 0:
+            if rubs and abs(free(t)) <= osc.mu_s:
+                later = np.linspace(t, end, 20_001)
+                loose = np.flatnonzero(np.abs([free(tau) for tau in later]) > osc.mu_s)
+                until = end
+                if loose.size:
+                    until = brentq(lambda tau: abs(free(tau)) - osc.mu_s, *later[[loose[0] - 1, loose[0]]], xtol=1e-14)
+                yield Stretch(np.array([t, until]), np.array([u, u]), np.zeros(2), 0.0)
+                t = until
+                if t >= end:
+                    return
+            slip = np.sign(free(t))
+
+        def field(tau: float, y: Any, slip: float = slip, mu: float = osc.mu * rubs, side: float = side) -> Any:
+            viscous = 2 * (osc.zeta + osc.zeta_2 * y[0] ** 2) + osc.c_3 * y[1] ** 2
             resists = viscous * y[1] + slip * (osc.c_2 * y[1] ** 2 + mu)
-            return [y[1], resting(tau, y[0]) - resists]
+            return [y[1], push(tau) - pull(y[0]) - side * preload - resists]
 
-        events = [lambda tau, y: y[1], lambda tau, y: abs(y[0]) - edge, lambda tau, y: y[0] if preload else 1.0]
         # at a start on a switch the value is a rounding: only the way back across it counts
-        for event, way in zip(events, (-slip, 1 if inside else -1, -side), strict=True):
+        events = [lambda tau, y: y[1], lambda tau, y: y[0] if preload else 1.0]
+        events += [lambda tau, y, edge=edge: abs(y[0]) - edge for edge in edges]
+        for event, way in zip(events, (-slip, -side, *(-1 if one else 1 for one in beyond)), strict=True):
             event.terminal, event.direction = True, way  # type: ignore[attr-defined]
-        solution = solve_ivp(field, (t, end), state, rtol=1e-9, atol=1e-12, events=events, method="DOP853")
-        t, state = float(solution.t[-1]), solution.y[:, -1].copy()
-        if t > 0.9 * end:
-            most = max(most, np.abs(solution.y[0]).max())
-        if solution.t_events[0].size:
-            assert preload or abs(resting(t, state[0])) > mu
-            slip = -slip
-            state[1] = slip * 1e-13
-        elif solution.t_events[1].size:
-            inside = not inside
-        elif solution.t_events[2].size:
-            side, state[0] = -side, -side * 1e-15
+        precise = {"method": "DOP853", "rtol": 1e-9, "atol": 1e-12, **options}
+        found = solve_ivp(field, (t, end), [u, v or slip * 1e-15], events=events, **precise)
+        yield Stretch(found.t, *found.y, slip)
+        t, (u, v) = float(found.t[-1]), map(float, found.y[:, -1])
+        turned, centred, *passed = (times.size > 0 for times in found.t_events)
+        if turned:
+            v = 0.0
+        elif centred:
+            side = -side
+            u = side * 1e-15
+        beyond = [one != other for one, other in zip(beyond, passed, strict=True)]
+
+
+def largest(pull: Pull, osc: Any, Omega: float, F_0: float, turns: int, preload: float = 0.0) -> float:
+    """The largest |u| in the last tenth of many turns, for motions that never rest."""
+    force, end, most = _force(osc, Omega, F_0), turns * 2 * np.pi / Omega, 0.0
+    damped = osc.replace(eta=0.0, zeta=osc.zeta + osc.eta / (2 * Omega)) if osc.eta else osc
+    start = np.array([preload > 0, preload > 0]) * 1e-3
+    for one in stretches(damped, pull, lambda tau: force * np.cos(Omega * tau), (0.0, end), start, preload):
+        assert one.slip
+        if one.t[-1] > 0.9 * end:
+            most = max(most, np.abs(one.u).max())
     return most
