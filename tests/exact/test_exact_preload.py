@@ -85,9 +85,9 @@ def test_rest_on_a_jump_of_the_force_is_followed_and_said(spring):
     Omega, F_0 = 0.2, 0.065
     swept = spring.sweep(Omega=[Omega], F_0=F_0)
     start = -math.acos((MU + C) / F_0) / Omega
-    moves = next(one for one in slips(spring, Omega, F_0, (start, 10.0), (0.0, 0.0)) if one.slip)
-    A = moves.u[-1]
-    assert abs(moves.v[-1]) < 1e-12 and swept.settled.all() and swept.A[0] == pytest.approx(A, rel=1e-7)
+    slip = next(one for one in slips(spring, Omega, F_0, (start, 10.0), (0.0, 0.0)) if one.slip)
+    A = slip.u[-1]
+    assert abs(slip.v[-1]) < 1e-12 and swept.settled.all() and swept.A[0] == pytest.approx(A, rel=1e-7)
     with pytest.raises(ArithmeticError, match="the mass comes to rest at u = 0 in each period, where the force jumps"):
         spring.steady_state(Omega=Omega, F_0=F_0)
 
