@@ -42,35 +42,42 @@ def test_linear_mount_on_a_base_is_the_closed_form_about_rest(zeta, eta):
         assert peak.u_max == pytest.approx(peak.A + load, rel=1e-12)
 
 
-@pytest.mark.parametrize("law", LAWS)
-@pytest.mark.slow
-def test_a_vanishing_load_leaves_the_answers_about_the_centre(law):
-    parameters, F_0 = {"zeta": 0.04, "mu": 0.002, **law}, 0.085
-    centred, loaded = (Duffing(1.0, 1.0, **parameters, load=load) for load in (0.0, 1e-9))
-    for Omega in (0.4, 1.15, 1.3, 1.8):
-        one, other = (of.amplitudes(Omega=Omega, F_0=F_0) for of in (centred, loaded))
-        np.testing.assert_allclose(other.A, one.A, rtol=1e-10)
-        np.testing.assert_allclose(other.phi, one.phi, rtol=1e-10)
-        np.testing.assert_allclose(other.transmissibility, one.transmissibility, rtol=1e-10)
-        assert other.stable.tolist() == one.stable.tolist() and np.abs(other.B).max() < 2e-9
-    one, other = (of.saddle_nodes(F_0) for of in (centred, loaded))
-    np.testing.assert_allclose(other.Omega, one.Omega, rtol=1e-9)
-    assert other.kind.tolist() == one.kind.tolist()
-    one, other = (of.saddle_node_onset() for of in (centred, loaded))
-    assert [other.F_SN, other.Omega, other.A] == pytest.approx([one.F_SN, one.Omega, one.A], rel=1e-7)
-    one, other = (of.peak(F_0) for of in (centred, loaded))
-    assert [other.A, other.Omega] == pytest.approx([one.A, one.Omega], rel=1e-6)
-    assert loaded.isolation(F_0).Omega == pytest.approx(centred.isolation(F_0).Omega, rel=1e-9)
+#: what is asked at a forcing, and how near answers under a load of 1e-9 are to those without
+NEARLY_CENTRED = {
+    "amplitudes": (("A", "phi", "transmissibility"), 1e-10),
+    "saddle_nodes": (("Omega",), 1e-9),
+    "saddle_node_onset": (("F_SN", "Omega", "A"), 1e-7),
+    "peak": (("A", "Omega"), 1e-6),
+    "detachment": (("F_cr",), 1e-6),
+    "margins": (("F_SN", "F_cr", "of_SN", "of_cr", "Omega_sticks"), 1e-6),
+    "hysteresis": (("Omega_low", "Omega_high"), 1e-9),
+    "isolation": (("Omega",), 1e-9),
+}
+CENTRED = {
+    **{f"law {n}": (Duffing(1.0, 1.0, **{"zeta": 0.04, "mu": 0.002, **law}), 0.085) for n, law in enumerate(LAWS)},
+    "truncated": (Isolator(**TABLE_1), 0.04),
+    "on a base": (Isolator(**TABLE_1, excitation="base"), 0.05),
+    "untruncated": (Isolator(**TABLE_1, force="untruncated"), 0.04),
+}
 
 
 @pytest.mark.slow
-def test_isolator_under_a_vanishing_load_is_the_centred_one():
-    centred, loaded = (Isolator(**TABLE_1, load=load, excitation="base") for load in (0.0, 1e-9))
-    assert loaded.detachment().F_cr == pytest.approx(centred.detachment().F_cr, rel=1e-6)
-    assert loaded.saddle_node_onset().F_SN == pytest.approx(centred.saddle_node_onset().F_SN, rel=1e-6)
-    one, other = (of.saddle_nodes(0.05) for of in (centred, loaded))
-    np.testing.assert_allclose(other.Omega, one.Omega, rtol=1e-5)
-    assert loaded.margins(0.05).detaches and loaded.margins(0.05).Omega_sticks == centred.margins(0.05).Omega_sticks
+@pytest.mark.parametrize("name", CENTRED)
+def test_a_vanishing_load_leaves_the_answers_about_the_centre(name):
+    centred, F_0 = CENTRED[name]
+    loaded = centred.replace(load=1e-9)
+    for question, (names, near) in NEARLY_CENTRED.items():
+        if question == "detachment" and isinstance(centred, Duffing):
+            continue
+        at = {} if question in ("saddle_node_onset", "detachment") else {"F_0": F_0}
+        at |= {"Omega": [0.4, 1.15, 1.3, 1.8]} if question == "amplitudes" else {}
+        one, other = (getattr(of, question)(**at) for of in (centred, loaded))
+        for column in names:
+            values = [np.array(getattr(found, column), dtype=float) for found in (other, one)]
+            np.testing.assert_allclose(*values, rtol=near, err_msg=f"{question} {column}")
+        for column in {"kind", "stable", "folds", "detaches", "sticks"} & {*vars(one)}:
+            assert np.array_equal(getattr(one, column), getattr(other, column)), (question, column)
+    assert np.abs(loaded.amplitudes(Omega=1.3, F_0=F_0).B).max() < (2e-9 if isinstance(centred, Duffing) else 2e-8)
 
 
 @pytest.mark.slow
@@ -112,9 +119,6 @@ def test_curve_has_folds_and_peak_and_onset_begins_folds(law):
     assert not len(mount.amplitudes(Omega=peak.Omega, F_0=F_0 * (1 - 1e-4)).A[near.A.max() * (1 - 1e-5) < 0])
     onset = mount.saddle_node_onset()
     assert len(mount.saddle_nodes(onset.F_SN * 1.001)) == 2 and not len(mount.saddle_nodes(onset.F_SN * 0.999))
-    for fold in folds:
-        counts = [len(mount.amplitudes(Omega=fold.Omega * (1 + side), F_0=F_0)) for side in (-1e-5, 1e-5)]
-        assert sorted(counts) == [1, 3]
 
 
 @pytest.mark.slow

@@ -1,7 +1,5 @@
 """The isolator under a load with its force as the geometry gives it, against the equations typed here at 30 digits."""
 
-import functools
-
 import mpmath as mp
 import numpy as np
 import pytest
@@ -10,7 +8,6 @@ from slowflow import Duffing, Isolator
 from slowflow.answers.results import Remark
 from slowflow.averaged import proofs
 from tests.sampling import slow
-from tests.slopes import assert_slopes_are_differences
 
 TABLE_1 = {"lam": 3, "r": 3747 / 1848, "delta_h": 1848 / (6 * 3747), "mu": 0.012, "zeta": 0.02}
 STEEP = {"lam": 2, "r": 0.6, "delta_h": 0.7, "mu": 0.02, "zeta": 0.05}
@@ -49,36 +46,6 @@ def test_states_and_folds_satisfy_the_averaged_equations(design, load, F_0):
         for Omega, A, B in found:
             for one in residuals(design, load, F_0, *map(mp.mpf, (Omega, A, B))):
                 assert abs(one) < 1e-12
-
-
-@pytest.mark.slow
-@CASES
-def test_two_states_come_into_being_at_each_fold(design, load, F_0):
-    iso = Isolator(**design, load=load, force="untruncated")
-    folds = iso.saddle_nodes(F_0)
-    for Omega, A in zip(folds.Omega, folds.A, strict=True):
-        counts, near = [], []
-        for at in Omega * (1 + 1e-7 * np.array([-1, 1])):
-            states = iso.amplitudes(Omega=at, F_0=F_0)
-            counts.append(len(states))
-            near.append(np.sum(np.abs(states.A - A) < 1e-2 * A))
-        assert abs(counts[1] - counts[0]) == 2
-        assert sorted(near) == [0, 2]
-
-
-def test_a_vanishing_load_leaves_the_folds_about_the_centre():
-    centred = Isolator(**TABLE_1, force="untruncated").saddle_nodes(0.04)
-    loaded = Isolator(**TABLE_1, load=1e-9, force="untruncated").saddle_nodes(0.04)
-    np.testing.assert_allclose(loaded.Omega, centred.Omega, rtol=1e-12)
-    np.testing.assert_allclose(loaded.A, centred.A, rtol=1e-10)
-
-
-@CASES
-def test_gradients_are_slopes_in_a_random_direction(design, load, F_0):
-    numbers = {**design, "load": load}
-    detachment = {"detachment": lambda one: one.detachment()}
-    made = functools.partial(Isolator, force="untruncated")
-    assert assert_slopes_are_differences(made, numbers, detachment, {*numbers} - {"lam"}) == {"detachment"}
 
 
 def test_onset_at_a_jump_of_the_slope_is_the_lowest_forcing():
