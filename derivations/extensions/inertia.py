@@ -19,7 +19,7 @@ from __future__ import annotations
 import sympy as sp
 
 from ..claims import claim
-from ..kernels import Branch, Formulas, Lets
+from ..kernels import Formulas, Lets
 from ..mechanisms import EXCITATIONS as stated
 from ..paper.equation_of_motion import F, groups, m, omega, omega_n
 from ..paper.slow_flow import I, R, reduction, removed, slope, turn
@@ -39,9 +39,6 @@ x = sp.Symbol("x", positive=True)
 drag, ratio, root = sp.symbols("drag share root", real=True)
 #: the quadratic 4 rest x^2 + linear x - 4 fall, which the level's slope is Omega^2 times of
 fall, linear, rest = sp.symbols("fall linear rest", real=True)
-#: F over Omega^4 without its cubic term is square X^2 - 2 falls X + over, X = x^2; what its root is of, which rounding
-#: may take below 0
-square, falls, over, inner, spread = sp.symbols("square falls over inner spread", real=True)
 #: 3 h - A h_A, which a force like A^3 has nothing of
 cubic = sp.Symbol("cubic", real=True)
 #: the level of a fold without its share of R
@@ -137,7 +134,6 @@ def inertia(flow: Formulas) -> Formulas:
     quadratic = sp.Poly(of_level, Omega)
     if quadratic.degree() != 2 or sp.expand(G).coeff(Omega, 3) != 0:
         raise ArithmeticError(f"the level's slope is no quadratic in Omega: {of_level}")
-    _outer(of, F.subs(whole))
     _least(of, quadratic)
     _peak(of, flow, level_slope, of_level)
     _fold(of, flow)
@@ -172,56 +168,6 @@ def inertia(flow: Formulas) -> Formulas:
 
     _bound(of, G)
     return of
-
-
-def _outer(of: Formulas, F_value: sp.Expr) -> None:
-    """Roots of the quadratic in the forms in which nothing cancels; those of F lie inside of them."""
-    of_x = sp.Poly(sp.expand(sp.expand(F_value / Omega**4).subs(Omega, 1 / x)), x)
-    constant, linear_term, second, cubic, fourth = (of_x.coeff_monomial(x**power) for power in range(5))
-    if linear_term != 0 or of_x.degree() != 4 or cubic.could_extract_minus_sign():
-        raise ArithmeticError(f"more than a cubic term that is not negative beside a quadratic in x^2: {of_x}")
-    of_falls, of_over = sp.factor(-second / 2), (A - F_0) * (A + F_0)
-    claim("`F/Omega^4` tends to `(A - F_0) (A + F_0)` as `Omega` grows", of_over - constant)
-    # F_0^2 is put in by `square`: of A^2 (h + 2 zeta^2 A)^2 - A^2 square only small terms are left
-    of_inner = sp.expand(of_falls**2 - fourth * constant)
-    rest_of_it = sp.expand(of_inner - F_0**2 * fourth)
-    viscous = sp.factor(rest_of_it - rest_of_it.coeff(zeta, 0))
-    inner_value = F_0**2 * square + rest_of_it.coeff(zeta, 0) + viscous
-    claim(
-        "discriminant of `F/Omega^4` without its cubic term, a quadratic in `1/Omega^2`",
-        inner_value.subs(square, fourth) - of_inner,
-    )
-    falling, rising = (
-        ((falls + spread) / square, over / (spread + falls)),
-        (-over / (spread - falls), (falls - spread) / square),
-    )
-    for larger, smaller in (falling, rising):
-        product = (falls**2 - spread**2) / square
-        claim(
-            "sum of the two roots of this quadratic (Vieta)",
-            (larger + smaller).subs(over, product) - 2 * falls / square,
-        )
-        claim(
-            "product of the two roots of this quadratic (Vieta)",
-            (larger * smaller).subs(over, product) - product / square,
-        )
-    lets = (
-        (falls, of_falls),
-        (square, fourth),
-        (over, of_over),
-        (inner, inner_value),
-        (spread, sp.sqrt((inner + sp.Abs(inner)) / 2)),
-    )
-    of.add(
-        "outer",
-        (
-            Branch("falling", ((sp.cancel(-of_falls / A), sp.S.Zero),), lets, falling),
-            Branch("rising", (), lets, rising),
-        ),
-        "1/Omega^2 below the low frequency of an amplitude, and above the high one, where it has that.",
-        "from (24)",
-        "A > 0, where F has a root",
-    )
 
 
 def _least(of: Formulas, quadratic: sp.Poly) -> None:

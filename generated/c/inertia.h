@@ -100,51 +100,6 @@ SF_KERNEL double inertia_Omega_A(double Omega, double A, double m, double zeta, 
     return -2.0 * Omega * (2.0 * I_ * t1 + R * (h_A + t0)) / (-4.0 * I_ * (m + t2) - 4.0 * R * h);
 }
 
-/* 1/Omega^2 below the low frequency of an amplitude, and above the high one, where it has that.
-   Equation from (24). Domain: A > 0, where F has a root. Operations: 30 in falling, 30 in rising. Error / u (1 +
-   kappa): measured 1.1. */
-SF_KERNEL void inertia_outer_falling(double A, double F_0, double m, double zeta, double h, double *out)
-{
-    const double t0 = zeta * zeta;
-    const double t1 = A * t0;
-    const double falls = -A * (h + 2.0 * t1);
-    const double t2 = m * m;
-    const double square = h * h + t2;
-    const double over = (A - F_0) * (A + F_0);
-    const double A2 = A * A;
-    const double A3 = A * A2;
-    const double inner = -A2 * t2 + 4.0 * A3 * t0 * (h + t1) + F_0 * F_0 * square;
-    const double spread = sqrt(0.5 * inner + 0.5 * fabs(inner));
-    const double t3 = falls + spread;
-    out[0] = t3 / square;
-    out[1] = over / t3;
-}
-
-SF_KERNEL void inertia_outer_rising(double A, double F_0, double m, double zeta, double h, double *out)
-{
-    const double t0 = zeta * zeta;
-    const double t1 = A * t0;
-    const double falls = -A * (h + 2.0 * t1);
-    const double t2 = m * m;
-    const double square = h * h + t2;
-    const double over = (A - F_0) * (A + F_0);
-    const double A2 = A * A;
-    const double A3 = A * A2;
-    const double inner = -A2 * t2 + 4.0 * A3 * t0 * (h + t1) + F_0 * F_0 * square;
-    const double spread = sqrt(0.5 * inner + 0.5 * fabs(inner));
-    const double t3 = falls - spread;
-    out[0] = over / t3;
-    out[1] = t3 / square;
-}
-
-SF_KERNEL void inertia_outer(double A, double F_0, double m, double zeta, double h, double *out)
-{
-    if (2.0 * A * zeta * zeta + h <= 0.0)
-        inertia_outer_falling(A, F_0, m, zeta, h, out);
-    else
-        inertia_outer_rising(A, F_0, m, zeta, h, out);
-}
-
 /* What the least level of an amplitude follows from; it has one where the first, fall, is positive.
    Equation from (24). Domain: A > 0. Operations: 11. Error / u (1 + kappa): proved 1.61, 0.76, 0.67. */
 SF_KERNEL void inertia_terms(double A, double m, double zeta, double h, double *out)

@@ -8,8 +8,6 @@
 
 #include "kernels.h"
 
-#define REGIMES_1(loop, ...) loop(_falling, __VA_ARGS__) loop(_rising, __VA_ARGS__)
-
 SF_SCALAR(, inertia_force, inertia_force, X(0), X(1))
 SF_TUPLE(, inertia_force_slopes, 2, inertia_force_slopes, X(0), X(1))
 SF_SCALAR(, inertia_isolation, inertia_isolation, X(0), X(1), X(2), X(3))
@@ -17,8 +15,6 @@ SF_SCALAR(, inertia_level, inertia_level, X(0), X(1), X(2), X(3), X(4))
 SF_SCALAR(, inertia_F, inertia_F, X(0), X(1), X(2), X(3), X(4), X(5))
 SF_SCALAR(, inertia_level_slope, inertia_level_slope, X(0), X(1), X(2), X(3), X(4))
 SF_SCALAR(, inertia_Omega_A, inertia_Omega_A, X(0), X(1), X(2), X(3), X(4), X(5))
-REGIMES_1(SF_TUPLE, inertia_outer, 2, inertia_outer, X(0), X(1), X(2), X(3), X(4))
-SF_CHOOSE(inertia_outer, 5, 2.0 * A * zeta * zeta + h <= 0.0 ? 0 : 1, const double A = X(0), zeta = X(3), h = X(4))
 SF_TUPLE(, inertia_terms, 3, inertia_terms, X(0), X(1), X(2), X(3))
 SF_SCALAR(, inertia_least, inertia_least, X(0), X(1), X(2))
 SF_SCALAR(, inertia_least_Omega_A, inertia_least_Omega_A, X(0), X(1), X(2), X(3), X(4), X(5))
@@ -44,7 +40,6 @@ static const sf_kernel kernels[] = {
     {"F", 6, 1, SF_ONE(inertia_F)},
     {"level_slope", 5, 1, SF_ONE(inertia_level_slope)},
     {"Omega_A", 6, 1, SF_ONE(inertia_Omega_A)},
-    {"outer", 5, 2, SF_SEVERAL(inertia_outer, REGIMES_1(SF_NAMED, inertia_outer))},
     {"terms", 4, 3, SF_ONE(inertia_terms)},
     {"least", 3, 1, SF_ONE(inertia_least)},
     {"least_Omega_A", 6, 1, SF_ONE(inertia_least_Omega_A)},

@@ -26,7 +26,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from slowflow.support.backend import NATIVE, compiled
-from slowflow.support.broadcast import broadcast_outputs, by_regime, floats
+from slowflow.support.broadcast import broadcast_outputs, floats
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -34,7 +34,7 @@ if TYPE_CHECKING:
 __all__ = [
     "F", "Omega_A", "Omega_of_share", "amplitude", "bound", "cusp_bend", "fold_force", "fold_level", "fold_slopes",
     "force", "force_slopes", "hessian", "isola", "isola_apart", "isolation", "least", "least_Omega_A", "level",
-    "level_rise", "level_slope", "moves_from", "outer", "peak", "peak_share", "share", "terms",
+    "level_rise", "level_slope", "moves_from", "peak", "peak_share", "share", "terms",
 ]
 
 
@@ -136,47 +136,6 @@ def Omega_A(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: Ar
     t2 = A * t1
     I = m + 2.0 * t2
     return -2.0 * Omega * (2.0 * I * t1 + R * (h_A + t0)) / (-4.0 * I * (m + t2) - 4.0 * R * h)
-
-
-def _outer_falling(A, F_0, m, zeta, h):
-    t0 = zeta * zeta
-    t1 = A * t0
-    falls = -A * (h + 2.0 * t1)
-    t2 = m * m
-    square = h * h + t2
-    over = (A - F_0) * (A + F_0)
-    A2 = A * A
-    A3 = A * A2
-    inner = -A2 * t2 + 4.0 * A3 * t0 * (h + t1) + F_0 * F_0 * square
-    spread = np.sqrt(0.5 * inner + 0.5 * np.abs(inner))
-    t3 = falls + spread
-    return t3 / square, over / t3
-
-
-def _outer_rising(A, F_0, m, zeta, h):
-    t0 = zeta * zeta
-    t1 = A * t0
-    falls = -A * (h + 2.0 * t1)
-    t2 = m * m
-    square = h * h + t2
-    over = (A - F_0) * (A + F_0)
-    A2 = A * A
-    A3 = A * A2
-    inner = -A2 * t2 + 4.0 * A3 * t0 * (h + t1) + F_0 * F_0 * square
-    spread = np.sqrt(0.5 * inner + 0.5 * np.abs(inner))
-    t3 = falls - spread
-    return over / t3, t3 / square
-
-
-def outer(A: ArrayLike, F_0: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike) -> tuple[Any, Any]:
-    """1/Omega^2 below the low frequency of an amplitude, and above the high one, where it has that.
-
-    Equation from (24). Domain: A > 0, where F has a root. Operations: 30 in falling, 30 in rising. Error / u (1 +
-    kappa): measured 1.1.
-    """
-    A, F_0, m, zeta, h = arguments = floats(A, F_0, m, zeta, h)
-    bodies = (_outer_falling, _outer_rising)
-    return by_regime((2.0 * A * zeta * zeta + h <= 0.0,), bodies, arguments, 2)
 
 
 def terms(A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike) -> tuple[Any, Any, Any]:

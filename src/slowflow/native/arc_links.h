@@ -17,7 +17,11 @@ static void sf_isolate_at(const sf_model *model, const sf_sample *at, double F_0
         sf_isolate_response(q, at->A, at->h, model->m, model->zeta, F_0);
 }
 
-/* The same by other laws of damping. */
+/* Whether roots are those of a polynomial of laws.h: of any laws, and of the response to an excitation by inertia. */
+static int sf_is_of_laws(const sf_model *model, double F_0) {
+    return sf_has_laws(model) || (F_0 >= 0 && sf_inertial(model));
+}
+
 static void sf_make_law_polynomial_at(const sf_model *model, const sf_sample *at, double F_0, sf_law_polynomial *q) {
     sf_make_law_polynomial(model, at, F_0 < 0 ? SF_OF_FOLDS : SF_OF_RESPONSE, F_0, sf_is_beyond(model, at->A), q);
 }
@@ -26,14 +30,12 @@ static void sf_make_law_polynomial_at(const sf_model *model, const sf_sample *at
 static int sf_count_at(const sf_model *model, const sf_sample *at, double F_0) {
     sf_law_polynomial by_laws;
     sf_isolated q;
-    if (sf_has_laws(model)) {
+    if (sf_is_of_laws(model, F_0)) {
         sf_make_law_polynomial_at(model, at, F_0, &by_laws);
         return sf_law_count(&by_laws);
     }
     if (F_0 < 0 && model->zeta == 0) /* the factor R = 0 is the backbone, at the level m */
         return at->h_A < 0;
-    if (F_0 >= 0 && sf_inertial(model))
-        return sf_inertial_overflows(model, at, F_0) ? -1 : sf_inertial_count(model, at, F_0);
     sf_isolate_at(model, at, F_0, &q);
     return sf_count(&q);
 }
@@ -42,12 +44,10 @@ static int sf_count_at(const sf_model *model, const sf_sample *at, double F_0) {
 static double sf_branch_at(const sf_model *model, const sf_sample *at, double F_0, int count, int index) {
     sf_law_polynomial by_laws;
     sf_isolated q;
-    if (sf_has_laws(model) && (F_0 >= 0 || at->A > 0)) {
+    if (sf_is_of_laws(model, F_0) && (F_0 >= 0 || at->A > 0)) {
         sf_make_law_polynomial_at(model, at, F_0, &by_laws);
         return sf_law_branch(&by_laws, count, index);
     }
-    if (F_0 >= 0 && sf_inertial(model))
-        return sf_inertial_root(model, at, F_0, count, index);
     if (F_0 < 0 && (model->eta != 0 || model->d != 0 || model->released)) /* at A = 0 there is no quartic */
         return NAN;
     /* at A = 0, where the quartic is none, what damping is too weak to hide begins at the stiffness there */
@@ -107,15 +107,11 @@ static int sf_lower_pair(const sf_model *model, double F_0, const sf_event *even
     *Omega = event->Omega;
     if (event->kind == SF_PAIR_LOW || event->kind == SF_PAIR_HIGH)
         return event->kind == SF_PAIR_LOW;
-    if (sf_has_laws(model)) {
+    if (sf_is_of_laws(model, F_0)) {
         sf_make_law_polynomial_at(model, at, F_0, &by_laws);
         lower = by_laws.w[0] > 0 && fabs(by_laws.f[1]) < fabs(by_laws.f[2]);
-        *Omega = by_laws.by_x ? 1 / by_laws.w[!lower] : by_laws.w[!lower];
+        *Omega = sf_law_Omega(&by_laws, by_laws.w[!lower]);
         return by_laws.by_x ? !lower : lower;
-    }
-    if (sf_inertial(model) && F_0 >= 0) {
-        *Omega = 1 / sf_least_x(model, at);
-        return 0;
     }
     sf_isolate_at(model, at, F_0, &q);
     lower = q.w1 > 0 && fabs(q.f1) < fabs(q.f2);

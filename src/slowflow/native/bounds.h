@@ -6,21 +6,17 @@
 #include "arc_links.h"
 #include "scan.h"
 
-/* The last Omega > 0 at which the level is stationary, its minimum over Omega > 0; 0 if there is none. */
+/* The last Omega > 0 at which the level of a force is stationary, its minimum over Omega > 0; 0 if there is none. */
 static double sf_last_stationary(const sf_model *model, const sf_sample *at) {
     sf_quartic cubic;
     double w[2];
-    if (sf_inertial(model)) {
-        const double x = sf_least_x(model, at);
-        return x > 0 ? 1 / x : 0;
-    }
     const int n = sf_unpolished_peak_roots(&cubic, at->A, at->h, model->m, model->zeta, w);
     return n > 0 ? sf_polish_cubic(&cubic, w[n - 1]) : 0;
 }
 
 /* The lowest F_0 for which A is a steady state: the minimum of its level over Omega >= 0, and where it lies. */
 static double sf_least_forcing(const sf_model *model, const sf_sample *at, double *Omega) {
-    if (sf_has_laws(model))
+    if (sf_is_of_laws(model, 0))
         return sf_least_by_laws(model, at, Omega);
     const double last = sf_last_stationary(model, at);
     const double at_rest = sf_level(model, at, 0), level = sf_level(model, at, last);

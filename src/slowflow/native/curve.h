@@ -85,7 +85,7 @@ typedef struct {
 
 static int sf_meets_far(const sf_model *model, const sf_law_polynomial *end, const sf_law_point *peak) {
     const sf_sample at = sf_sample_at(model, peak->A);
-    return peak->Omega * end->c[1] > -end->c[2] && sf_bends_at_peak(model, &at, peak->Omega);
+    return peak->Omega / end->unit * end->c[1] > -end->c[2] && sf_bends_at_peak(model, &at, peak->Omega);
 }
 
 /* Leaves out of the peaks a pair that rounds to the end. */
@@ -94,7 +94,7 @@ static sf_far_end sf_far_end_of(const sf_model *model, double F_0, sf_law_points
     const sf_sample at = sf_sample_at(model, out.A);
     sf_law_polynomial q;
     sf_make_law_polynomial(model, &at, SF_OF_RESPONSE, F_0, sf_is_beyond(model, out.A), &q);
-    out.falls = q.c[2] < 0 && q.c[1] * q.c[1] <= SF_HARDLY * -q.c[2] * F_0 * F_0;
+    out.falls = q.c[2] < 0 && q.c[1] * q.c[1] <= SF_HARDLY * -q.c[2] * q.F_0 * q.F_0;
     for (int i = 0; out.falls && i < peaks->n; i++)
         if (sf_meets_far(model, &q, &peaks->at[i])) {
             if (peaks->at[i].A < out.A)

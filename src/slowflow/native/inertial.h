@@ -1,9 +1,8 @@
-/* Excitation by inertia, F_0 Omega^2. Takes a sample and an amplitude of the excitation; returns the frequencies
- * there.
+/* Excitation by inertia, F_0 Omega^2. Takes a sample; returns where its level is least, and Omega without h.
  *
  * The level of an amplitude, the F_0 for which it is a steady state at Omega, falls from inf at Omega = 0 to its least
  * and rises from there to A as Omega tends to inf; or it only falls to A. So an amplitude below F_0 has one frequency,
- * and one above it two or none (derivations/extensions/inertia.py).
+ * and one above it two or none (derivations/extensions/inertia.py): sf_law_frequencies has them.
  */
 #pragma once
 
@@ -34,13 +33,6 @@ static inline double sf_least_x(const sf_model *model, const sf_sample *at) {
     return at->A > 0 && terms[0] > 0 ? inertia_least(terms[0], terms[1], terms[2]) : 0;
 }
 
-/* Whether squares of h are beyond the range of doubles: then no frequency is found at A. */
-static inline int sf_inertial_overflows(const sf_model *model, const sf_sample *at, double F_0) {
-    double outer[2];
-    inertia_outer(at->A, F_0, model->m, model->zeta, at->h, outer);
-    return at->h != 0 && !(outer[0] < HUGE_VAL) && at->A < F_0;
-}
-
 /* of -R/I, up to which R follows from I better than from h where that is all rounding; how many are tried until none
  * changes Omega */
 #define SF_LARGEST_SHARE 0.5
@@ -65,66 +57,4 @@ static inline double sf_Omega_by_share(const sf_model *model, double F_0, const 
             return w;
     }
     return 0;
-}
-
-/* How many frequencies there are at A. */
-static inline int sf_inertial_count(const sf_model *model, const sf_sample *at, double F_0) {
-    double peak[2];
-    if (at->A < F_0)
-        return 1;
-    const double x = sf_least_x(model, at);
-    if (x == 0)
-        return 0;
-    inertia_peak(x, at->A, F_0, model->m, model->zeta, at->h, 0, peak);
-    return peak[0] < 0 ? (at->A > F_0 ? 2 : 1) : 0;
-}
-
-/* Newton's steps in x = 1/Omega, kept in the bracket; F rises with x for +1 and falls for -1. */
-static inline double sf_inertial_solve(const sf_model *model, const sf_sample *at, double F_0, double x, double lo,
-                                       double hi, double rising)
-{
-    x = fmin(fmax(x, lo), hi);
-    for (int i = 0; i < 200; i++) {
-        const double Omega = 1 / x, F = inertia_F(Omega, at->A, F_0, model->m, model->zeta, at->h);
-        const double slope = inertia_level_slope(Omega, at->A, model->m, model->zeta, at->h);
-        double next = x + F / (Omega * slope);
-        const double before = x;
-        if (rising * F < 0)
-            lo = x;
-        else
-            hi = x;
-        if (!(next >= lo && next <= hi))
-            next = 0.5 * (lo + hi);
-        x = next;
-        if (fabs(x - before) <= 0x1p-52 * before)
-            break;
-    }
-    return 1 / x;
-}
-
-/* Frequency number `index` of `count`; where rounding hides a pair, the place where it meets. Without its cubic term,
- * which only raises F, F over Omega^4 is a quadratic in x^2, whose roots lie outside of those of F. */
-static inline double sf_inertial_root(const sf_model *model, const sf_sample *at, double F_0, int count, int index) {
-    const double least = sf_least_x(model, at);
-    const int high = count == 2 && index == 1, shown = sf_inertial_count(model, at, F_0);
-    double outer[2], x;
-    inertia_outer(at->A, F_0, model->m, model->zeta, at->h, outer);
-    if (high && at->A <= F_0)
-        return HUGE_VAL;
-    if (shown < (high ? 2 : 1))
-        return 1 / least;
-    if (high) {
-        x = sqrt(fmax(outer[1], 0)) * (1 - 0x1p-40);
-        return sf_inertial_solve(model, at, F_0, x, x, least, -1);
-    }
-    x = sqrt(outer[0]) * (1 + 0x1p-40);
-    return sf_inertial_solve(model, at, F_0, x, least, x, 1);
-}
-
-/* All of them, by their size; returns their number. */
-static inline int sf_inertial_roots(const sf_model *model, const sf_sample *at, double F_0, double Omega[3]) {
-    const int n = sf_inertial_count(model, at, F_0);
-    for (int i = 0; i < n; i++)
-        Omega[i] = sf_inertial_root(model, at, F_0, n, i);
-    return n;
 }

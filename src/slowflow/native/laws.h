@@ -17,6 +17,8 @@
 
 /* below it F_0^4 and what is its rounding are not told apart from 0 */
 #define SF_LEAST_F_0 0x1p-240
+/* below it squares of amplitudes are not far from where doubles lose digits */
+#define SF_TINY 0x1p-400
 /* of Newton's method, kept in a bracket */
 enum { SF_MOST_LAW_STEPS = 200 };
 
@@ -121,26 +123,22 @@ static inline double sf_law_F_AA(const sf_model *model, const sf_sample *at, dou
 
 typedef enum { SF_OF_RESPONSE, SF_OF_FOLDS } sf_law_polynomial_kind;
 
-/* by_x: it is one in 1/Omega; exist: whether there are critical points w[0] <= w[1]; f: its values at 0 and at these */
+/* by_x: it is one in 1/Omega; exist: whether there are critical points w[0] <= w[1]; f: its values at 0 and at these.
+ * unit: of Omega where by_x, other than 1 where A and F_0 are in units of 0x1p-600, lest their squares be lost */
 typedef struct {
-    const sf_model *model;
-    const sf_sample *at;
     sf_law_polynomial_kind kind;
-    double F_0, rest[4], zeta[4], c[7], w[2], f[3];
+    double A, F_0, rest[4], zeta[4], d, d_3, h, h_A, c[7], w[2], f[3], unit;
     int by_x, exist;
 } sf_law_polynomial;
 
 /* F or F_A/2 from R and I, in which nothing cancels but what cancels in them. */
 static inline double sf_law_value(const sf_law_polynomial *q, double w) {
-    const sf_model *model = q->model;
-    const sf_sample *at = q->at;
     double far[3];
     if (q->kind == SF_OF_FOLDS)
-        return 0.5 * dissipation_F_A(w, at->A, q->rest[0], q->rest[1], q->zeta[0], q->zeta[1], model->d, model->d_3,
-                                     at->h, at->h_A);
+        return 0.5 * dissipation_F_A(w, q->A, q->rest[0], q->rest[1], q->zeta[0], q->zeta[1], q->d, q->d_3, q->h, q->h_A);
     if (!q->by_x)
-        return dissipation_F(w, at->A, q->F_0, q->rest[0], q->zeta[0], model->d, model->d_3, at->h);
-    dissipation_far_by_inertia(w, at->A, q->F_0, q->rest[0], q->zeta[0], model->d, at->h, far);
+        return dissipation_F(w, q->A, q->F_0, q->rest[0], q->zeta[0], q->d, q->d_3, q->h);
+    dissipation_far_by_inertia(w, q->A, q->F_0, q->rest[0], q->zeta[0], q->d, q->h, far);
     return far[0];
 }
 
@@ -184,16 +182,17 @@ static inline void sf_find_critical(sf_law_polynomial *q) {
 
 static inline void sf_make_law_polynomial(const sf_model *model, const sf_sample *at, sf_law_polynomial_kind kind,
                                           double F_0, int beyond, sf_law_polynomial *q) {
-    q->model = model, q->at = at, q->kind = kind, q->F_0 = F_0;
-    q->by_x = sf_inertial(model) && kind == SF_OF_RESPONSE;
+    q->kind = kind, q->by_x = sf_inertial(model) && kind == SF_OF_RESPONSE;
+    q->A = at->A, q->F_0 = F_0, q->d = model->d, q->d_3 = model->d_3, q->h = at->h, q->h_A = at->h_A;
     sf_rest_at(model, at->A, beyond, q->rest);
     sf_zeta_at(model, at->A, q->zeta);
-    if (kind == SF_OF_FOLDS) {
-        dissipation_fold_polynomial(at->A, q->rest[0], q->rest[1], q->zeta[0], q->zeta[1], model->d, model->d_3, at->h,
-                                    at->h_A, q->c);
-    } else {
-        dissipation_response_polynomial(at->A, q->rest[0], q->zeta[0], model->d, model->d_3, at->h, q->c);
-    }
+    q->unit = 1;
+    if (q->by_x && fmax(q->A, F_0) < SF_TINY)
+        q->A *= 0x1p600, q->F_0 *= 0x1p600, q->zeta[0] *= 0x1p-300, q->d *= 0x1p-600, q->unit = 0x1p300;
+    if (kind == SF_OF_FOLDS)
+        dissipation_fold_polynomial(q->A, q->rest[0], q->rest[1], q->zeta[0], q->zeta[1], q->d, q->d_3, q->h, q->h_A, q->c);
+    else
+        dissipation_response_polynomial(q->A, q->rest[0], q->zeta[0], q->d, q->d_3, q->h, q->c);
     for (int i = 0; q->by_x && i < 2; i++) {
         const double swapped = q->c[i];
         q->c[i] = q->c[4 - i], q->c[4 - i] = swapped;
@@ -204,45 +203,50 @@ static inline void sf_make_law_polynomial(const sf_model *model, const sf_sample
         q->f[1 + i] = q->exist ? sf_law_value(q, q->w[i]) : NAN;
 }
 
-/* Above the largest root: where it vanishes without the powers 1, 3, 5 and 6, which only raise it. */
-static inline double sf_above_roots(const sf_law_polynomial *q) {
+/* Where it vanishes without the powers 1, 3, 5 and 6, which only raise it: above the largest root, or below the one
+ * between its critical points. */
+static inline double sf_law_bound(const sf_law_polynomial *q, int above) {
     const double *c = q->c, root = sqrt(fmax(c[2] * c[2] - 4 * c[4] * q->f[0], 0));
-    const double square = c[2] > 0 ? -2 * q->f[0] / (c[2] + root) : (root - c[2]) / (2 * c[4]);
-    return sqrt(fmax(square, 0)) * (1 + 0x1p-20) + 1e-300;
+    const double sum = c[2] > 0 ? -c[2] - root : root - c[2];
+    return sqrt(fmax((c[2] > 0) == above ? 2 * q->f[0] / sum : sum / (2 * c[4]), 0));
 }
 
-static inline double sf_law_root(const sf_law_polynomial *q, double low, double high, int falls) {
-    double w = 0.5 * (low + high);
+/* The root between two ends, from a place in between, or their middle. */
+static inline double sf_law_root(const sf_law_polynomial *q, double low, double high, double w, int falls) {
     for (int i = 0; i < SF_MOST_LAW_STEPS; i++) {
+        if (!(w > low && w < high))
+            w = 0.5 * (low + high);
         const double before = w, f = sf_law_value(q, w);
         if ((f < 0) != falls)
             low = w;
         else
             high = w;
         w -= f / sf_polynomial_slope(q->c, w);
-        if (!(w > low && w < high))
-            w = 0.5 * (low + high);
         if (fabs(w - before) <= 0x1p-52 * before)
             break;
     }
     return w;
 }
 
-/* How many there are. */
+/* How many there are; negative where squares of h are beyond the range of doubles. */
 static inline int sf_law_count(const sf_law_polynomial *q) {
     sf_place place[3];
-    return sf_places(q->exist, q->f[0] < 0, q->f[1] > 0, q->f[2] < 0, place);
+    return q->c[4] < HUGE_VAL ? sf_places(q->exist, q->f[0] < 0, q->f[1] > 0, q->f[2] < 0, place) : -1;
 }
+
+static inline double sf_law_Omega(const sf_law_polynomial *q, double w) { return q->by_x ? q->unit / w : w; }
 
 /* Number `index` of `count` by rising Omega. */
 static inline double sf_law_branch(const sf_law_polynomial *q, int count, int index) {
     const sf_place place = sf_place_of(q->exist, q->f[0], q->f[1], q->f[2], count, q->by_x ? count - 1 - index : index);
     const int lower = place == SF_BELOW || place == SF_RISING, highest = place == SF_ABOVE || place == SF_RISING;
     double w = place == SF_AT_0 ? 0 : q->w[place != SF_AT_W1];
-    if (place <= SF_RISING)
-        w = sf_law_root(q, lower ? 0 : q->w[place == SF_ABOVE], highest ? sf_above_roots(q) : q->w[place == SF_BETWEEN],
+    if (place <= SF_RISING) {
+        const double start = sf_law_bound(q, highest), most = start * (1 + 0x1p-20) + 1e-300;
+        w = sf_law_root(q, lower ? 0 : q->w[place == SF_ABOVE], highest ? most : q->w[place == SF_BETWEEN], start,
                         place == SF_BETWEEN);
-    return q->by_x ? 1 / w : w;
+    }
+    return sf_law_Omega(q, w);
 }
 
 /* Every Omega at which the amplitude is a steady state at F_0, or on the fold locus, by its size; returns how many.
@@ -262,12 +266,10 @@ static inline int sf_law_stationary(const sf_model *model, const sf_sample *at, 
     sf_law_polynomial q;
     int n = 0;
     sf_make_law_polynomial(model, at, SF_OF_RESPONSE, 0, sf_is_beyond(model, at->A), &q);
-    for (int i = 0; q.exist && i < 2; i++)
-        if (q.w[i] > 0)
-            Omega[n++] = q.w[i];
-    if (q.by_x && n > 0) {
-        const double low = 1 / Omega[n - 1];
-        Omega[n - 1] = 1 / Omega[0], Omega[0] = low;
+    for (int i = 0; q.exist && i < 2; i++) {
+        const double w = q.w[q.by_x ? 1 - i : i];
+        if (w > 0)
+            Omega[n++] = sf_law_Omega(&q, w);
     }
     return n;
 }

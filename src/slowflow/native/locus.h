@@ -154,10 +154,9 @@ static void sf_add_fold(sf_folds *folds, double Omega, double A, int up, int cor
 
 /* All frequencies at an amplitude, by their size; returns their number. */
 static int sf_frequencies(const sf_model *model, const sf_sample *at, double F_0, double Omega[3]) {
-    if (sf_has_laws(model))
+    if (sf_is_of_laws(model, F_0))
         return sf_law_frequencies(model, at, SF_OF_RESPONSE, F_0, sf_is_beyond(model, at->A), Omega);
-    return sf_inertial(model) ? sf_inertial_roots(model, at, F_0, Omega)
-                              : sf_response_roots(at->A, at->h, model->m, model->zeta, F_0, Omega);
+    return sf_response_roots(at->A, at->h, model->m, model->zeta, F_0, Omega);
 }
 
 /* Whether a step of Newton's method is all that Omega is off a root of F = 0, which it then becomes. */
@@ -238,28 +237,23 @@ static int sf_is_stable_below(const sf_model *model, double F_0, const sf_sample
 static int sf_is_corner_close(const sf_model *model, double F_0, double J, const sf_sample *at, int n,
                               const double *Omega)
 {
-    const int laws = sf_has_laws(model);
     sf_quartic cubic;
     double w[3];
     int count;
     if (J == 0 || fabs(J) <= SF_CLOSE * at->A * (1 + fabs(at->h_A)))
         return 1;
-    if (laws) {
+    if (sf_is_of_laws(model, F_0))
         count = sf_law_stationary(model, at, w);
-    } else if (sf_inertial(model)) {
-        w[0] = sf_last_stationary(model, at);
-        count = w[0] > 0;
-    } else { /* F is stationary there: their last digits change nothing */
+    else /* F is stationary there: their last digits change nothing */
         count = sf_unpolished_peak_roots(&cubic, at->A, at->h, model->m, model->zeta, w);
-    }
     w[count++] = 0;
     for (int i = 0; i < count; i++)
         if (sf_is_F_close(model, at, F_0, w[i]))
             return 1;
     for (int i = 0; i < n && Omega[i] < HUGE_VAL; i++) {
         const double R = slow_flow_R(Omega[i], at->A, at->h), size = sf_size_at(at, sf_force(model, F_0, Omega[i]));
-        const double half_F_A = laws ? sf_law_F_A(model, at, Omega[i], sf_is_beyond(model, at->A)) / 2
-                                     : sf_half_F_A(model, at, Omega[i]);
+        const double half_F_A = sf_has_laws(model) ? sf_law_F_A(model, at, Omega[i], sf_is_beyond(model, at->A)) / 2
+                                                   : sf_half_F_A(model, at, Omega[i]);
         const double slope = at->A * fabs(half_F_A);
         if (fabs(R) <= SF_CLOSE * size || slope <= SF_CLOSE * size * size || fabs(R * J) * SF_STEEP <= slope)
             return 1;

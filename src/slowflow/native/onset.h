@@ -439,8 +439,7 @@ static int sf_falls_at_break(const sf_model *model, const sf_onset *best) {
     double w[2];
     for (int k = 0; k < model->breaks; k++) {
         const sf_sample at = sf_sample_at(model, model->b[k]);
-        if (model->jump[k] < 0 && sf_full_level(model, &at) < best->F_SN &&
-            (sf_has_laws(model) ? sf_law_stationary(model, &at, w) == 0 : sf_least_x(model, &at) == 0))
+        if (model->jump[k] < 0 && sf_full_level(model, &at) < best->F_SN && sf_law_stationary(model, &at, w) == 0)
             return 1;
     }
     return 0;

@@ -219,20 +219,6 @@ def shaken_bound(A, F_0, zeta, *values):
     return [of(A), *(mp.diff(of, A, order) for order in (1, 2, 3))]
 
 
-def shaken_outer(A, F_0, m, zeta, h):
-    """Roots in X = 1/Omega^2 of F over Omega^4 without odd powers of Omega: of the mean over both its signs."""
-
-    def even(X):
-        x = mp.sqrt(X)
-        return sum(shaken_response(w, A, F_0, m, zeta, h) * x**4 for w in (1 / x, -1 / x)) / 2
-
-    nodes = [mpf(1), mpf(2), mpf(3)]
-    square, linear, over = mp.lu_solve(mp.matrix([[X**2, X, 1] for X in nodes]), mp.matrix([even(X) for X in nodes]))
-    root = mp.sqrt(linear**2 - 4 * square * over)
-    larger = (root - linear) / (2 * square)
-    return [larger, -(root + linear) / (2 * square)]
-
-
 def shaken_share(A, zeta, h):
     """What the least level without friction is short of 4 zeta^2 A^3/|h|."""
     if h > 0:
@@ -263,7 +249,6 @@ INERTIA: dict[str, tuple[str, Function]] = {
     "bound": ("A F_0 zeta h h_A h_AA h_AAA lost", shaken_bound),
     "force_slopes": ("Omega F_0", lambda *x: [mp.diff(inertial, x, n) for n in ((1, 0), (0, 1))]),
     "least_Omega_A": ("x A m zeta h h_A", lambda *x: [shaken_drift(*x)]),
-    "outer": ("A F_0 m zeta h", shaken_outer),
     "share": ("A zeta h", shaken_share),
     "amplitude": ("Omega force", lambda w, force: [mp.findroot(lambda F_0: inertial(w, F_0) - force, force)]),
     "moves_from": ("F_0 holds", lambda F_0, holds: [mp.findroot(lambda w: inertial(w, F_0) - holds, mpf("0.7"))]),
@@ -272,12 +257,7 @@ INERTIA: dict[str, tuple[str, Function]] = {
 
 
 def place(kernel: str, names: list[str], number: int, x: list[float]) -> None:
-    """Some next to the backbone; where quadratics have roots, also where they rise at first; amplitudes above F_0."""
+    """Some next to the backbone; amplitudes above F_0."""
     beside_backbone(names, number, x)
-    if kernel == "outer":
-        x[3] *= 0.1
-        x[4] -= 0.2
-        if number % 3 == 2:
-            x[0], x[4] = 0.5 * x[1], -x[4]
-    elif kernel == "isolation":
+    if kernel == "isolation":
         x[0] += x[1]
