@@ -85,14 +85,10 @@ static inline int sf_has_sloping_rest(const sf_model *model, double A) {
 /* h over A at A = 0; where I_0 changes with A, F_A at Omega = 0 */
 static inline void sf_ask_stiffness(const sf_task *task, const sf_sample *at, sf_answer *out) {
     const sf_model *model = task->model;
-    double rest[4], zeta[4];
     out->exists[0] = 1;
     if (sf_has_sloping_rest(model, task->first->A)) {
-        sf_rest_at(model, at->A, model->breaks > 0 && task->first->A >= model->b[0], rest);
-        sf_zeta_at(model, at->A, zeta);
-        out->y[0] = dissipation_F_A(0, at->A, rest[0], rest[1], zeta[0], zeta[1], model->d, model->d_3, at->h, at->h_A);
-        out->dy[0] = dissipation_F_AA(0, at->A, rest[0], rest[1], rest[2], zeta[0], zeta[1], zeta[2], model->d,
-                                      model->d_3, at->h, at->h_A, at->h_AA);
+        const int beyond = model->breaks > 0 && task->first->A >= model->b[0];
+        out->y[0] = sf_law_F_A(model, at, 0, beyond), out->dy[0] = sf_law_F_AA(model, at, 0, beyond);
         return;
     }
     out->exists[1] = 1;
@@ -271,14 +267,14 @@ static inline void sf_ask_undamped(const sf_sample *at, sf_answer *out) {
 /* h^2 + m^2 = F_0^2 has two smooth halves; by other laws of damping I_0 takes the place of m, and they end where it is
  * F_0: where nothing pulls the first is I_0 less F_0 */
 static inline void sf_ask_rest(const sf_model *model, double F_0, const sf_sample *at, sf_answer *out) {
-    double halves[4], rest[4];
+    double halves[4];
     if (sf_has_laws(model)) {
-        sf_rest_at(model, at->A, sf_is_beyond(model, at->A), rest);
+        const sf_law_terms of = sf_law_terms_below(model, at->A);
         if (at->h == 0 && at->h_A == 0) {
-            out->exists[0] = 1, out->y[0] = rest[0] - F_0, out->dy[0] = rest[1];
+            out->exists[0] = 1, out->y[0] = of.rest[0] - F_0, out->dy[0] = of.rest[1];
             return;
         }
-        dissipation_static(F_0, rest[0], rest[1], at->h, at->h_A, halves);
+        dissipation_static(F_0, of.rest[0], of.rest[1], at->h, at->h_A, halves);
         out->edge = at->h > 0 ? 1 : at->h < 0 ? -1 : 0;
         out->exists[0] = out->exists[1] = !isnan(halves[0]);
     } else {
@@ -421,17 +417,16 @@ static inline int sf_is_minimum(const sf_model *model, sf_question question, con
 /* By other laws of damping: whether the level has a minimum along the fold locus, and at an isola point F a saddle. */
 static inline int sf_is_law_minimum(const sf_model *model, sf_question question, const sf_sample *at, double w,
                                     int *saddle) {
-    const double A = at->A, d = model->d;
-    double rest[4], zeta[4], bend[2];
-    sf_rest_at(model, A, sf_is_beyond(model, A), rest);
-    sf_zeta_at(model, A, zeta);
+    const sf_law_terms of = sf_law_terms_below(model, at->A);
+    const double A = at->A, *rest = of.rest, *zeta = of.zeta;
+    double bend[2];
     *saddle = 0;
     if (question == SF_CUSP)
         return (sf_inertial(model) ? dissipation_cusp_bend_by_inertia : dissipation_cusp_bend)(
-                   w, A, rest[0], rest[1], rest[2], rest[3], zeta[0], zeta[1], zeta[2], zeta[3], d, model->d_3,
+                   w, A, rest[0], rest[1], rest[2], rest[3], zeta[0], zeta[1], zeta[2], zeta[3], of.d, of.d_3,
                    at->h, at->h_A, at->h_AA, at->h_AAA) > 0;
     (sf_inertial(model) ? dissipation_isola_bend_by_inertia : dissipation_isola_bend)(
-        w, A, rest[0], rest[1], rest[2], zeta[0], zeta[1], zeta[2], d, model->d_3, at->h, at->h_A, at->h_AA, bend);
+        w, A, rest[0], rest[1], rest[2], zeta[0], zeta[1], zeta[2], of.d, of.d_3, at->h, at->h_A, at->h_AA, bend);
     *saddle = bend[0] < 0;
     return bend[1] > 0;
 }

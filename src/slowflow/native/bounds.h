@@ -26,9 +26,7 @@ static double sf_least_forcing(const sf_model *model, const sf_sample *at, doubl
 
 /* A damping ratio that no cycle of this amplitude or more has less than. */
 static double sf_least_zeta(const sf_model *model, double A) {
-    double zeta[4];
-    sf_zeta_at(model, A, zeta);
-    return zeta[0];
+    return sf_law_terms_below(model, A).zeta[0];
 }
 
 /* What |h| is at most at a state of an amplitude: the frequencies that damping leaves to it fall as the amplitude

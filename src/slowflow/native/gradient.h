@@ -33,7 +33,7 @@ typedef struct {
     double Omega, F_0, excited[SF_EXCITED], R;
     sf_sample at;
     int beyond;
-    double rest[4], zeta[4];
+    sf_law_terms of;
 } sf_pinned_answer;
 
 /* Whether a value has lost its sign to rounding, as far as a share of its size says. */
@@ -67,7 +67,7 @@ static int sf_finds_forcing(sf_pinned kind) {
 SF_ALWAYS void sf_slopes_at(const sf_pinned_answer *answer, const sf_model *model, double slopes[2 * SF_SIZES])
 {
     const sf_sample *at = &answer->at;
-    const double *square = answer->excited + 3, *rest = answer->rest, *zeta = answer->zeta;
+    const double *square = answer->excited + 3, *rest = answer->of.rest, *zeta = answer->of.zeta;
     sensitivities_slopes(answer->Omega, at->A, answer->R, rest[0], rest[1], rest[2], rest[3], zeta[0], zeta[1], zeta[2],
                          zeta[3], model->d, model->d_3, at->h, at->h_A, at->h_AA, at->h_AAA, square[0], square[1],
                          square[2], square[3], slopes);
@@ -85,7 +85,7 @@ static void sf_pin_on_break(const sf_model *model, int k, const double *slopes, 
     int best = 0;
     if (ends) {
         past.beyond = 1;
-        sf_rest_at(model, past.at.A, 1, past.rest);
+        past.of = sf_law_terms_at(model, past.at.A, 1);
         sf_slopes_at(&past, model, beyond);
         values[2] = beyond[0], sizes[2] = beyond[SF_SIZES];
     }
@@ -130,8 +130,8 @@ static int sf_solve(const sf_pinned_answer *answer, const sf_model *model, const
     }
     for (int j = 0; j < columns; j++) {
         double right[SF_CONDITIONS], found[SF_UNKNOWNS] = {0, 0, 0};
-        sensitivities_right(answer->Omega, at->A, answer->R, answer->rest[0], answer->rest[1], answer->rest[2],
-                            answer->zeta[0], answer->zeta[1], answer->zeta[2], model->d, model->d_3, at->h_A, at->h_AA,
+        sensitivities_right(answer->Omega, at->A, answer->R, answer->of.rest[0], answer->of.rest[1], answer->of.rest[2],
+                            answer->of.zeta[0], answer->of.zeta[1], answer->of.zeta[2], model->d, model->d_3, at->h_A, at->h_AA,
                             of->h[0][j], of->h[1][j], of->h[2][j], of->rest[0][j], of->rest[1][j], of->rest[2][j],
                             of->zeta[0][j], of->zeta[1][j], of->zeta[2][j], of->d[0][j], of->d[1][j], of->forcing[j],
                             of->frequency[j], of->end[j], right);
@@ -240,8 +240,7 @@ static sf_moves_status sf_gradient(const sf_model *model, const double *of_desig
     }
     answer->at = sf_sample_at(model, A);
     answer->beyond = sf_is_beyond(model, A);
-    sf_rest_at(model, A, answer->beyond, answer->rest);
-    sf_zeta_at(model, A, answer->zeta);
+    answer->of = sf_law_terms_at(model, A, answer->beyond);
     (answer->inertial ? sensitivities_by_inertia : sensitivities_by_force)(w, F_0, answer->excited);
     answer->R = slow_flow_R(w, A, at->h), size_of_R = slow_flow_R(w, A, fabs(at->h));
     if (sf_finds_forcing(answer->kind) && sf_vanishes(answer->excited[0], size_of_R, SF_MEETING))
@@ -270,7 +269,7 @@ static sf_moves_status sf_gradient(const sf_model *model, const double *of_desig
             out[i > 0 ? rows - SF_UNKNOWNS + i : 0][j] = rates[i][j];
     for (int j = 0; j < columns && rows == SF_STATE_ROWS; j++) {
         double found[2];
-        sensitivities_of_state(w, at->A, answer->rest[0], answer->rest[1], answer->zeta[0], answer->zeta[1], model->d,
+        sensitivities_of_state(w, at->A, answer->of.rest[0], answer->of.rest[1], answer->of.zeta[0], answer->of.zeta[1], model->d,
                                model->d_3, at->h, at->h_A,
                                answer->excited[0], answer->excited[1], answer->excited[2], of->h[0][j], of->rest[0][j],
                                of->zeta[0][j], of->d[0][j], of->d[1][j], rates[0][j], rates[1][j], rates[2][j], found);
@@ -293,8 +292,8 @@ static void sf_slopes_of(const double *in, double *out) {
     sf_model model;
     answer.at.A = in[0];
     memcpy(answer.at.averages, in + 5, 4 * sizeof *in);
-    memcpy(answer.rest, in + 9, 4 * sizeof *in);
-    memcpy(answer.zeta, in + 13, 4 * sizeof *in);
+    memcpy(answer.of.rest, in + 9, 4 * sizeof *in);
+    memcpy(answer.of.zeta, in + 13, 4 * sizeof *in);
     model.d = in[17], model.d_3 = in[18];
     for (int i = 0; i < 3; i++)
         of.h[i][0] = in[19 + i], of.rest[i][0] = in[22 + i], of.zeta[i][0] = in[25 + i];

@@ -44,30 +44,26 @@ static sf_status sf_find_law_peaks(const sf_model *model, double F_0, sf_work *w
 
 /* Whether F rises with A at a peak: by the R that F_Omega = 0 leaves, in which nothing cancels. */
 static int sf_rises_at_peak(const sf_model *model, const sf_sample *at, double w) {
-    const double d = model->d, I = sf_law_I(model, at->A, w);
-    double rest[4], zeta[4];
+    const sf_law_terms of = sf_law_terms_below(model, at->A);
+    const double I = dissipation_I(w, at->A, of.rest[0], of.zeta[0], of.d, of.d_3);
     if (sf_inertial(model))
         return sf_law_F_A(model, at, w, sf_is_beyond(model, at->A)) > 0;
-    sf_rest_at(model, at->A, sf_is_beyond(model, at->A), rest);
-    sf_zeta_at(model, at->A, zeta);
-    return dissipation_F_A_halved(dissipation_R_of_peak(w, at->A, zeta[0], d, model->d_3, I), w * w + at->h_A, I,
-                                  dissipation_I_A(w, at->A, rest[1], zeta[0], zeta[1], d, model->d_3)) > 0;
+    return dissipation_F_A_halved(dissipation_R_of_peak(w, at->A, of.zeta[0], of.d, of.d_3, I), w * w + at->h_A, I,
+                                  dissipation_I_A(w, at->A, of.rest[1], of.zeta[0], of.zeta[1], of.d, of.d_3)) > 0;
 }
 
 /* Whether F has a maximum over Omega at a peak; under an excitation by inertia F_OmegaOmega is what vanishes where the
  * level is stationary, by 1/Omega, times a positive number. */
 static int sf_bends_at_peak(const sf_model *model, const sf_sample *at, double w) {
-    const double d = model->d;
-    double rest[4], zeta[4], of[4], f[6];
-    sf_rest_at(model, at->A, sf_is_beyond(model, at->A), rest);
-    sf_zeta_at(model, at->A, zeta);
-    if (sf_inertial(model)) {
-        dissipation_far(1 / w, at->A, rest[0], rest[1], zeta[0], zeta[1], d, at->h, at->h_A, of);
-        dissipation_peaks_far_by_x(1 / w, at->A, 0, rest[0], rest[1], rest[2], rest[3], zeta[0], zeta[1], zeta[2], zeta[3],
-                                   d, 0, at->h, at->h_A, at->h_AA, at->h_AAA, of[0], of[2], of[1], of[3], f);
-        return f[5] < 0;
-    }
-    return dissipation_F_OmegaOmega(w, at->A, rest[0], zeta[0], d, model->d_3, at->h) < 0;
+    const sf_law_terms of = sf_law_terms_below(model, at->A);
+    const double *rest = of.rest, *zeta = of.zeta;
+    double far[4], f[6];
+    if (!sf_inertial(model))
+        return dissipation_F_OmegaOmega(w, at->A, rest[0], zeta[0], of.d, of.d_3, at->h) < 0;
+    dissipation_far(1 / w, at->A, rest[0], rest[1], zeta[0], zeta[1], of.d, at->h, at->h_A, far);
+    dissipation_peaks_far_by_x(1 / w, at->A, 0, rest[0], rest[1], rest[2], rest[3], zeta[0], zeta[1], zeta[2], zeta[3],
+                               of.d, 0, at->h, at->h_A, at->h_AA, at->h_AAA, far[0], far[2], far[1], far[3], f);
+    return f[5] < 0;
 }
 
 /* Whether stable motions end in a static state: the spring pulls there, or nowhere, F rises, and no frequency goes on

@@ -66,28 +66,33 @@ static inline int sf_allows_laws(const sf_model *model) {
 /* Friction that is left wherever the mass is. */
 static inline double sf_friction_throughout(const sf_model *model) { return model->released ? 0 : model->m; }
 
-/* I_0 and three derivatives by A. beyond: whether A is taken as beyond the first breakpoint */
-static inline void sf_rest_at(const sf_model *model, double A, int beyond, double rest[4]) {
-    if (model->released && beyond)
-        dissipation_released(fmax(A, model->b[0]), model->m, model->eta, model->b[0], rest);
-    else
-        dissipation_at_rest(A, model->m, model->eta, rest);
-}
+/* What dissipates at an amplitude: I_0 and the viscous damping ratio of a cycle, each with three derivatives by A. */
+typedef struct {
+    double rest[4], zeta[4], d, d_3;
+} sf_law_terms;
 
-/* The viscous damping ratio of a cycle and three derivatives by A. */
-static inline void sf_zeta_at(const sf_model *model, double A, double zeta[4]) {
-    zeta[0] = model->zeta, zeta[1] = zeta[2] = zeta[3] = 0;
+/* beyond: whether A is taken as beyond the first breakpoint */
+static inline sf_law_terms sf_law_terms_at(const sf_model *model, double A, int beyond) {
+    sf_law_terms of = {.zeta = {model->zeta}, .d = model->d, .d_3 = model->d_3};
+    if (model->released && beyond)
+        dissipation_released(fmax(A, model->b[0]), model->m, model->eta, model->b[0], of.rest);
+    else
+        dissipation_at_rest(A, model->m, model->eta, of.rest);
     if (model->zeta_2 != 0)
-        dissipation_viscous(A, model->zeta, model->zeta_2, zeta);
+        dissipation_viscous(A, model->zeta, model->zeta_2, of.zeta);
+    return of;
 }
 
 static inline int sf_is_beyond(const sf_model *model, double A) { return model->breaks > 0 && A > model->b[0]; }
 
+/* On the piece that ends at A, or holds it. */
+static inline sf_law_terms sf_law_terms_below(const sf_model *model, double A) {
+    return sf_law_terms_at(model, A, sf_is_beyond(model, A));
+}
+
 static inline double sf_law_I(const sf_model *model, double A, double w) {
-    double rest[4], zeta[4];
-    sf_rest_at(model, A, sf_is_beyond(model, A), rest);
-    sf_zeta_at(model, A, zeta);
-    return dissipation_I(w, A, rest[0], zeta[0], model->d, model->d_3);
+    const sf_law_terms of = sf_law_terms_below(model, A);
+    return dissipation_I(w, A, of.rest[0], of.zeta[0], of.d, of.d_3);
 }
 
 /* As sf_level. */
@@ -96,27 +101,21 @@ static inline double sf_law_level(const sf_model *model, const sf_sample *at, do
 }
 
 static inline double sf_law_F_A(const sf_model *model, const sf_sample *at, double w, int beyond) {
-    double rest[4], zeta[4];
-    sf_rest_at(model, at->A, beyond, rest);
-    sf_zeta_at(model, at->A, zeta);
-    return dissipation_F_A(w, at->A, rest[0], rest[1], zeta[0], zeta[1], model->d, model->d_3, at->h, at->h_A);
+    const sf_law_terms of = sf_law_terms_at(model, at->A, beyond);
+    return dissipation_F_A(w, at->A, of.rest[0], of.rest[1], of.zeta[0], of.zeta[1], of.d, of.d_3, at->h, at->h_A);
 }
 
 /* dOmega/dA along the response. */
 static inline double sf_law_Omega_A(const sf_model *model, const sf_sample *at, double w) {
-    double rest[4], zeta[4];
-    sf_rest_at(model, at->A, sf_is_beyond(model, at->A), rest);
-    sf_zeta_at(model, at->A, zeta);
+    const sf_law_terms of = sf_law_terms_below(model, at->A);
     return (model->mechanism->inertial ? dissipation_Omega_A_by_inertia : dissipation_Omega_A)(
-        w, at->A, rest[0], rest[1], zeta[0], zeta[1], model->d, model->d_3, at->h, at->h_A);
+        w, at->A, of.rest[0], of.rest[1], of.zeta[0], of.zeta[1], of.d, of.d_3, at->h, at->h_A);
 }
 
-static inline double sf_law_F_AA(const sf_model *model, const sf_sample *at, double w) {
-    double rest[4], zeta[4];
-    sf_rest_at(model, at->A, sf_is_beyond(model, at->A), rest);
-    sf_zeta_at(model, at->A, zeta);
-    return dissipation_F_AA(w, at->A, rest[0], rest[1], rest[2], zeta[0], zeta[1], zeta[2], model->d, model->d_3, at->h,
-                            at->h_A, at->h_AA);
+static inline double sf_law_F_AA(const sf_model *model, const sf_sample *at, double w, int beyond) {
+    const sf_law_terms of = sf_law_terms_at(model, at->A, beyond);
+    return dissipation_F_AA(w, at->A, of.rest[0], of.rest[1], of.rest[2], of.zeta[0], of.zeta[1], of.zeta[2], of.d,
+                            of.d_3, at->h, at->h_A, at->h_AA);
 }
 
 /* ==== The polynomial of an amplitude ================================================================================= */
@@ -127,18 +126,20 @@ typedef enum { SF_OF_RESPONSE, SF_OF_FOLDS } sf_law_polynomial_kind;
  * unit: of Omega where by_x, other than 1 where A and F_0 are in units of 0x1p-600, lest their squares be lost */
 typedef struct {
     sf_law_polynomial_kind kind;
-    double A, F_0, rest[4], zeta[4], d, d_3, h, h_A, c[7], w[2], f[3], unit;
+    double A, F_0, h, h_A, c[7], w[2], f[3], unit;
+    sf_law_terms of;
     int by_x, exist;
 } sf_law_polynomial;
 
 /* F or F_A/2 from R and I, in which nothing cancels but what cancels in them. */
 static inline double sf_law_value(const sf_law_polynomial *q, double w) {
+    const sf_law_terms *of = &q->of;
     double far[3];
     if (q->kind == SF_OF_FOLDS)
-        return 0.5 * dissipation_F_A(w, q->A, q->rest[0], q->rest[1], q->zeta[0], q->zeta[1], q->d, q->d_3, q->h, q->h_A);
+        return 0.5 * dissipation_F_A(w, q->A, of->rest[0], of->rest[1], of->zeta[0], of->zeta[1], of->d, of->d_3, q->h, q->h_A);
     if (!q->by_x)
-        return dissipation_F(w, q->A, q->F_0, q->rest[0], q->zeta[0], q->d, q->d_3, q->h);
-    dissipation_far_by_inertia(w, q->A, q->F_0, q->rest[0], q->zeta[0], q->d, q->h, far);
+        return dissipation_F(w, q->A, q->F_0, of->rest[0], of->zeta[0], of->d, of->d_3, q->h);
+    dissipation_far_by_inertia(w, q->A, q->F_0, of->rest[0], of->zeta[0], of->d, q->h, far);
     return far[0];
 }
 
@@ -182,17 +183,16 @@ static inline void sf_find_critical(sf_law_polynomial *q) {
 
 static inline void sf_make_law_polynomial(const sf_model *model, const sf_sample *at, sf_law_polynomial_kind kind,
                                           double F_0, int beyond, sf_law_polynomial *q) {
+    sf_law_terms of = sf_law_terms_at(model, at->A, beyond);
     q->kind = kind, q->by_x = sf_inertial(model) && kind == SF_OF_RESPONSE;
-    q->A = at->A, q->F_0 = F_0, q->d = model->d, q->d_3 = model->d_3, q->h = at->h, q->h_A = at->h_A;
-    sf_rest_at(model, at->A, beyond, q->rest);
-    sf_zeta_at(model, at->A, q->zeta);
-    q->unit = 1;
+    q->A = at->A, q->F_0 = F_0, q->h = at->h, q->h_A = at->h_A, q->unit = 1;
     if (q->by_x && fmax(q->A, F_0) < SF_TINY)
-        q->A *= 0x1p600, q->F_0 *= 0x1p600, q->zeta[0] *= 0x1p-300, q->d *= 0x1p-600, q->unit = 0x1p300;
+        q->A *= 0x1p600, q->F_0 *= 0x1p600, of.zeta[0] *= 0x1p-300, of.d *= 0x1p-600, q->unit = 0x1p300;
+    q->of = of;
     if (kind == SF_OF_FOLDS)
-        dissipation_fold_polynomial(q->A, q->rest[0], q->rest[1], q->zeta[0], q->zeta[1], q->d, q->d_3, q->h, q->h_A, q->c);
+        dissipation_fold_polynomial(q->A, of.rest[0], of.rest[1], of.zeta[0], of.zeta[1], of.d, of.d_3, q->h, q->h_A, q->c);
     else
-        dissipation_response_polynomial(q->A, q->rest[0], q->zeta[0], q->d, q->d_3, q->h, q->c);
+        dissipation_response_polynomial(q->A, of.rest[0], of.zeta[0], of.d, of.d_3, q->h, q->c);
     for (int i = 0; q->by_x && i < 2; i++) {
         const double swapped = q->c[i];
         q->c[i] = q->c[4 - i], q->c[4 - i] = swapped;
@@ -250,7 +250,7 @@ static inline double sf_law_branch(const sf_law_polynomial *q, int count, int in
 }
 
 /* Every Omega at which the amplitude is a steady state at F_0, or on the fold locus, by its size; returns how many.
- * beyond: as in sf_rest_at */
+ * beyond: as in sf_law_terms_at */
 static inline int sf_law_frequencies(const sf_model *model, const sf_sample *at, sf_law_polynomial_kind kind, double F_0,
                                      int beyond, double Omega[3]) {
     sf_law_polynomial q;
@@ -276,9 +276,9 @@ static inline int sf_law_stationary(const sf_model *model, const sf_sample *at, 
 
 /* The amplitude of an excitation by inertia under which A is what the response tends to as Omega tends to inf. */
 static inline double sf_full_level(const sf_model *model, const sf_sample *at) {
-    double rest[4], far[3];
-    sf_rest_at(model, at->A, sf_is_beyond(model, at->A), rest);
-    dissipation_far_by_inertia(0, at->A, 0, rest[0], model->zeta, model->d, at->h, far); /* zeta vanishes there */
+    const sf_law_terms of = sf_law_terms_below(model, at->A);
+    double far[3];
+    dissipation_far_by_inertia(0, at->A, 0, of.rest[0], of.zeta[0], of.d, at->h, far);
     return sqrt(far[0]);
 }
 
@@ -336,7 +336,7 @@ static inline sf_interval sf_rest_within(const sf_laws_within *laws, sf_interval
     return dissipation_intervals_rest_intercept(laws->m);
 }
 
-/* As sf_zeta_at. */
+/* As sf_law_terms has it. */
 static inline void sf_zeta_within(const sf_laws_within *laws, sf_interval A, sf_interval zeta[4]) {
     zeta[0] = laws->zeta, zeta[1] = zeta[2] = zeta[3] = sfi_point(0);
     if (laws->zeta_2.hi != 0)

@@ -36,13 +36,11 @@ static void sf_ask_boxes(const sf_model *model, sf_question question, const sf_s
     for (int i = 0; i < search->found.n; i++) {
         const double A = search->found.at[i].A, w = search->found.at[i].Omega;
         sf_zero zero = {A, w, 0, question, 0, 0};
-        double rest[4], zeta[4];
         const sf_sample at = sf_sample_at(model, A);
-        sf_rest_at(model, A, number > 0, rest);
-        sf_zeta_at(model, A, zeta);
-        zero.channel =
-            !(dissipation_F_AOmegaOmega(w, A, rest[0], rest[1], zeta[0], zeta[1], model->d, model->d_3, at.h, at.h_A) < 0);
-        zero.rising = sf_law_F_AA(model, &at, w) > 0;
+        const sf_law_terms of = sf_law_terms_at(model, A, number > 0);
+        zero.channel = !(dissipation_F_AOmegaOmega(w, A, of.rest[0], of.rest[1], of.zeta[0], of.zeta[1], of.d, of.d_3,
+                                                   at.h, at.h_A) < 0);
+        zero.rising = sf_law_F_AA(model, &at, w, sf_is_beyond(model, A)) > 0;
         sf_add_zero(found, zero);
     }
 }
@@ -414,7 +412,7 @@ static sf_status sf_law_folds(const sf_model *model, double F_0, sf_work *work, 
     folds->undecided = found->undecided > 0;
     for (int i = 0; i < found->n; i++) {
         const sf_sample at = sf_sample_at(model, found->at[i].A);
-        sf_add_fold(folds, found->at[i].Omega, at.A, sf_law_F_AA(model, &at, found->at[i].Omega) < 0, 0);
+        sf_add_fold(folds, found->at[i].Omega, at.A, sf_law_F_AA(model, &at, found->at[i].Omega, sf_is_beyond(model, at.A)) < 0, 0);
     }
     return found->status;
 }

@@ -102,12 +102,12 @@ static sf_status sf_consider_points(const sf_model *model, sf_law_system system,
 
 /* Where the fold locus ends at Omega = 0: where h vanishes, and so R, I is what is left. */
 static void sf_consider_end_by_laws(const sf_model *model, double A, sf_onset *best) {
-    double rest[4];
     const sf_sample at = sf_sample_at(model, A);
-    sf_rest_at(model, A, sf_is_beyond(model, A), rest);
+    const sf_law_terms of = sf_law_terms_below(model, A);
     if (fabs(at.h) < fabs(A * at.h_A))
-        best->rest = fmin(best->rest, rest[0]);
-    else if (model->zeta * rest[0] > 0 || dissipation_F_OmegaOmega(0, A, rest[0], model->zeta, model->d, model->d_3, at.h) >= 0)
+        best->rest = fmin(best->rest, of.rest[0]);
+    else if (of.zeta[0] * of.rest[0] > 0 ||
+             dissipation_F_OmegaOmega(0, A, of.rest[0], of.zeta[0], of.d, of.d_3, at.h) >= 0)
         best->rest = fmin(best->rest, sf_law_level(model, &at, 0));
 }
 

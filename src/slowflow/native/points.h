@@ -85,12 +85,11 @@ static void sf_functions_within(const sf_law_search *search, const sf_strip *str
 
 /* At a point, of which Omega, R and the size of its terms are set, NaN where there is none. */
 static void sf_functions_at(const sf_law_search *search, const sf_sample *at, sf_law_point *point, double out[6]) {
-    const double A = at->A, u = point->u, d = search->model->d, d_3 = search->model->d_3;
+    const sf_law_terms terms = sf_law_terms_at(search->model, at->A, search->laws.beyond);
+    const double A = at->A, u = point->u, *rest = terms.rest, *zeta = terms.zeta, d = terms.d, d_3 = terms.d_3;
     const double square = search->far ? (u - A) / at->h : (u - at->h) / A;
     const double w = point->by_w ? u : square > 0 ? sqrt(square) : NAN;
-    double rest[4], zeta[4], of[4];
-    sf_rest_at(search->model, A, search->laws.beyond, rest);
-    sf_zeta_at(search->model, A, zeta);
+    double of[4];
     if (search->far) {
         dissipation_far(w, A, rest[0], rest[1], zeta[0], zeta[1], d, at->h, at->h_A, of);
         point->Omega = 1 / w, point->size = A + fabs(at->h) * w * w;
