@@ -17,7 +17,7 @@ from slowflow.app import cli
 from slowflow.averaged import messages, proofs, solvers
 from slowflow.averaged.balls.search import BallModel, averages_of
 from tests.averaged.test_certified_cases import CENTRED, of_record
-from tests.native.intervals import BOUNDED, ELEMENTARY, OPERATIONS, Intervals, build
+from tests.native.intervals import BOUNDED, ELEMENTARY, OPERATIONS, Intervals
 from tests.oracles import averaged
 
 #: without the balls that are asked where doubles do not decide, and without telling where folds are expected
@@ -254,7 +254,7 @@ def test_the_command_line_prints_the_certificate(capsys, monkeypatch):
 def intervals(once):
     if shutil.which("gcc") is None:
         pytest.skip("no gcc on the path")
-    return Intervals(once("intervals", build))
+    return Intervals(once("intervals", Intervals.build))
 
 
 def sizes(rng, count):

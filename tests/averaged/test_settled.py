@@ -16,7 +16,7 @@ from slowflow import Duffing, Isolator
 from slowflow.averaged import solvers
 from slowflow.support.errors import NotSettled
 from slowflow_kernels.conventions import Status
-from tests.native.pairs import OPERATIONS, Pairs, build
+from tests.native.intervals import OPERATIONS, Pairs
 from tests.oracles import averaged
 
 #: of an operation in double-double, relatively
@@ -27,7 +27,7 @@ ERROR = Fraction(1, 2**100)
 def pairs(once):
     if shutil.which("gcc") is None:
         pytest.skip("no gcc on the path")
-    return Pairs(once("pairs", build))
+    return Pairs(once("pairs", Pairs.build))
 
 
 def ball(x):

@@ -4,8 +4,7 @@ compiler   sources, flags and headers
 headers    every function of `generated/c`
 clones     the kernels' loops for one processor target each
 roots      the root solvers
-pairs      double-doubles
-intervals  intervals, and what is generated on them
+intervals  double-doubles, intervals, and what is generated on them
 records    records of mechanisms
 asked      a session with modules that are built for it
 """

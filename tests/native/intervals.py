@@ -1,10 +1,11 @@
-"""The interval arithmetic of the solvers as Python functions: a directory for the shared library in, callables out."""
+"""The arithmetics of the solvers as Python functions, intervals and double-double: a directory for the library in."""
 
 from __future__ import annotations
 
 import ctypes
 import re
 from collections.abc import Sequence
+from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
@@ -19,40 +20,64 @@ ELEMENTARY = (
 OPERATIONS = ("add", "sub", "mul", "div", "square", "sqrt", "atan2", "tenth")
 #: on pairs that know how far they may be off
 BOUNDED = (*OPERATIONS, "R_F", "R_D")
-LIBRARY = "intervals.so"
 
 
-def build(directory: Path) -> None:
-    """The shared library, for one worker of a test run or several."""
-    compiled(directory / LIBRARY, HERE / "intervals_driver.c", options=STRICT)
+class Arithmetic:
+    """operate(name, numbers (n, ...)) and known(mechanism, design, piece, at): a number is two doubles."""
 
-
-class Intervals:
-    """operate(name, pairs of intervals (n, 4)), operate_bounded, known(mechanism, design, piece, beyond)."""
+    driver: str
+    operations: tuple[str, ...]
+    #: how many averages there are
+    averages: int
 
     def __init__(self, directory: Path) -> None:
-        self.loaded = ctypes.CDLL(str(directory / LIBRARY))
+        self.loaded = ctypes.CDLL(str(directory / f"{self.driver}.so"))
 
-    def operate(self, name: str, pairs: np.ndarray) -> np.ndarray:
-        pairs = np.ascontiguousarray(pairs, dtype=np.float64)
-        out = np.empty((len(pairs), 2))
-        self.loaded.operate(
-            (*OPERATIONS, *ELEMENTARY).index(name), ctypes.c_long(len(pairs)), pointer(pairs), pointer(out)
-        )
+    @classmethod
+    def build(cls, directory: Path) -> None:
+        """The shared library, for one worker of a test run or several."""
+        compiled(directory / f"{cls.driver}.so", HERE / f"{cls.driver}_driver.c", options=STRICT)
+
+    def _filled(self, function: str, number: int, numbers: np.ndarray, width: int) -> np.ndarray:
+        rows, out = np.ascontiguousarray(numbers, dtype=np.float64), np.empty((len(numbers), width))
+        getattr(self.loaded, function)(number, ctypes.c_long(len(rows)), pointer(rows), pointer(out))
         return out
+
+    def operate(self, name: str, numbers: np.ndarray) -> Any:
+        return self._filled("operate", self.operations.index(name), numbers, 2)
+
+    def known(self, mechanism: str, design: Sequence[float], piece: int, at: float) -> Any:
+        out, numbers = np.empty((self.averages, 2)), np.array(design, dtype=np.float64)
+        if not self.loaded.known(mechanism.encode(), pointer(numbers), piece, ctypes.c_double(at), pointer(out)):
+            raise ValueError(f"no {self.driver} for {mechanism}")
+        return out
+
+
+class Intervals(Arithmetic):
+    """Two intervals in a row; averages at a piece and how far beyond its begin."""
+
+    driver, operations, averages = "intervals", (*OPERATIONS, *ELEMENTARY), 6
 
     def operate_bounded(self, name: str, numbers: np.ndarray) -> np.ndarray:
         """Three numbers (n, 9), each a pair and what it may be off, to one with the doubles around it (n, 5)."""
-        numbers = np.ascontiguousarray(numbers, dtype=np.float64)
-        out = np.empty((len(numbers), 5))
-        self.loaded.operate_bounded(BOUNDED.index(name), ctypes.c_long(len(numbers)), pointer(numbers), pointer(out))
-        return out
+        return self._filled("operate_bounded", BOUNDED.index(name), numbers, 5)
 
-    def known(self, mechanism: str, design: Sequence[float], piece: int, beyond: float) -> np.ndarray:
-        out, numbers = np.empty((6, 2)), np.array(design, dtype=np.float64)
-        if not self.loaded.known(mechanism.encode(), pointer(numbers), piece, ctypes.c_double(beyond), pointer(out)):
-            raise ValueError(f"no intervals for {mechanism}")
-        return out
+
+class Pairs(Arithmetic):
+    """Two double-double numbers in a row; averages at an amplitude. Both are returned as fractions."""
+
+    driver, operations, averages = "pairs", OPERATIONS, 4
+
+    def operate(self, name: str, numbers: np.ndarray) -> list[Fraction]:
+        return exactly(super().operate(name, numbers))
+
+    def known(self, mechanism: str, design: Sequence[float], piece: int, at: float) -> list[Fraction]:
+        return exactly(super().known(mechanism, design, piece, at))
+
+
+def exactly(pairs: np.ndarray) -> list[Fraction]:
+    """Their sums."""
+    return [Fraction(high) + Fraction(low) for high, low in pairs.tolist()]
 
 
 #: generated functions on intervals: what they return, the module, their names, arguments
