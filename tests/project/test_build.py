@@ -34,8 +34,9 @@ def checkout(tmp_path: Path) -> Path:
     """A checkout whose extension modules have nothing in them, with those of an earlier build and its stamp."""
     for name in ("Makefile", "setup.py", "pyproject.toml", "README.md", "LICENSE"):
         shutil.copy(ROOT / name, tmp_path)
-    (tmp_path / "derivations").mkdir()
-    shutil.copy(ROOT / "derivations" / "constraints.txt", tmp_path / "derivations")
+    for name in ("derivations/constraints.txt", "src/slowflow/version.py"):
+        (tmp_path / name).parent.mkdir(parents=True)
+        shutil.copy(ROOT / name, tmp_path / name)
     for source, module in MODULES.items():
         for path in (tmp_path / source, tmp_path / module):
             path.parent.mkdir(parents=True, exist_ok=True)
