@@ -175,7 +175,8 @@ def figure_7a(ax: Any) -> None:
     w = np.linspace(*EXAMPLE, SHADING)[np.newaxis, :]
     A = np.linspace(A_EXAMPLE / SHADING, A_EXAMPLE, SHADING)[:, np.newaxis]
     unstable = isolator.stability(Omega=w, A=A)
-    ax.contourf(w[0], A[:, 0], unstable, levels=[-np.inf, 0], colors=[pictures.UNSTABLE_REGION], zorder=-2)
+    region = ax.contourf(w[0], A[:, 0], unstable, levels=[-np.inf, 0], colors=[pictures.UNSTABLE_REGION], zorder=-2)
+    region.set_label("_unstable region")
     ax.set(xlim=EXAMPLE, ylim=(0.0, A_EXAMPLE))
     pictures.breakpoints(ax, isolator.breakpoints)
     pictures.legend(ax, "$F_0$")
@@ -249,7 +250,7 @@ def draw(
 ) -> list[Path]:
     """Draw figures by number; return the files written. Without a display, and the same bytes each time.
 
-    formats -- keys of `UNDATED`; pgf needs a LaTeX installation
+    formats -- keys of `UNDATED`; pgf needs XeLaTeX, or a style sheet with "pgf.texsystem: pdflatex"
     width   -- in inches; text is 10 points high on figures of the default width, and 7 in a column of a journal
     style   -- style sheets of Matplotlib, applied last
     """
@@ -265,7 +266,8 @@ def draw(
                 FIGURES[name].draw(figure.subplots())
             for suffix in formats:
                 path = folder / f"fig_{name}.{suffix}"
-                figure.savefig(path, dpi=160, metadata={UNDATED[suffix]: None} if UNDATED[suffix] else None)
+                undated = {"metadata": {UNDATED[suffix]: None}} if UNDATED[suffix] else {}  # pgf takes no metadata
+                figure.savefig(path, dpi=160, **undated)
                 written.append(path)
     return written
 

@@ -133,6 +133,16 @@ def test_response_points_are_states_by_the_published_formula(drawn, name):
             np.testing.assert_allclose(forcing, 0.05, rtol=1e-8)
 
 
+def test_formats_get_the_arguments_that_their_backends_take(tmp_path, monkeypatch):
+    """PGF takes no metadata; TeX is not needed to see that."""
+    taken = {}
+    monkeypatch.setattr(
+        "matplotlib.figure.Figure.savefig", lambda _, path, **options: taken.update({path.suffix: options})
+    )
+    figures.draw(tmp_path, ["6a"], ["pgf", "pdf"])
+    assert "metadata" not in taken[".pgf"] and taken[".pdf"]["metadata"] == {"CreationDate": None}
+
+
 def test_figure_4a_says_what_sticks(drawn):
     ax = drawn("4a")
     last = ax.get_legend_handles_labels()[1][-1]
@@ -291,7 +301,7 @@ def test_oscillator_draws_responses_with_folds_and_regions():
         for Omega, A in zip(folds.Omega[folds.kind == kind], folds.A[folds.kind == kind], strict=True):
             assert (Omega, A) in {tuple(point) for point in marks.tolist()}
     labels = {text.get_text() for text in ax.get_legend().get_texts()}
-    assert {"0.03", "0.04", "jump up", "jump down", "beyond $u_{cr}$", r"$A\,\Omega^2 < \mu$: stops"} <= labels
+    assert {"0.03", "0.04", "jump up", "jump down", "beyond $u_{cr}$", r"stops: $A\,\Omega^2 < \mu$"} <= labels
     assert one.plot(0.04, of="transmissibility_dB").get_ylabel() == "transmissibility / dB"
     with pytest.raises(ValueError, match="of = 'B' is not allowed"):
         one.plot(0.04, of="B")

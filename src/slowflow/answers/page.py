@@ -56,7 +56,7 @@ a { color: inherit; }
                body { max-width: none; } nav { display: none; } figure, tr { break-inside: avoid; }
                h2, caption, tr:nth-child(-n+2), tr:nth-last-child(2) { break-after: avoid; } table { font-size: 9pt; }
                .wide { overflow: visible; } td, th { padding: .1rem .3rem; }
-               .words { max-width: none; } math { font-size: 7.5pt; }
+               .words { max-width: none; } math { font-size: 9pt; }
                figure svg { max-width: 30rem; } body { font-size: 11pt; } }
 """
 

@@ -84,7 +84,7 @@ LABELS = {
     "k_h": "stiffness of the springs $k_h$",
     "duration": "duration of the pulse",
     "acceleration": "acceleration of the pulse",
-    "ratio": "largest acceleration over the pulse's",
+    "ratio": "largest acceleration / acceleration of the pulse",
     "Omega_cr": r"$\Omega_{cr}$",
 }
 #: letters in front of "_" where `LABELS` has no name
@@ -207,7 +207,7 @@ def breakpoints(ax: Any, amplitudes: Sequence[float], letter: str = "u") -> None
     ax.set_ylim(low, high)
 
 
-def stopping(ax: Any, mu: float) -> None:
+def stopping(ax: Any, mu: float, name: str = r"$A\,\Omega^2 < \mu$") -> None:
     """The plane of frequency and A tinted where A Omega^2 < mu: friction holds a mass that turns there."""
     if mu > 0:
         low, high = ax.get_xlim()
@@ -215,7 +215,7 @@ def stopping(ax: Any, mu: float) -> None:
         Omega = np.linspace(max(low, 1e-3 * high), high, 400)
         # the quotient at A = 1 is the A where it is 1
         edge = np.minimum(motion.stopping(Omega, 1.0, mu), top)
-        ax.fill_between(Omega, bottom, edge, color=STOPPING, zorder=-3, linewidth=0)
+        ax.fill_between(Omega, bottom, edge, color=STOPPING, zorder=-3, linewidth=0, label=f"_stops: {name}")
         ax.set(xlim=(low, high), ylim=(bottom, top))
 
 
@@ -270,10 +270,17 @@ def responses(ax: Any, found: Sequence[tuple[Any, Any]], of: str = "A", *, names
     if of.startswith("transmissibility"):
         ax.axhline(float(of == "transmissibility"), color="0.4", linewidth=0.8, zorder=-2)
         ax.set_xscale("log")
+        _round_ticks(ax)
     if of == "phi" and not (found and found[0][0].units_of_columns().get(of) == "deg"):
         ax.set(ylim=(-np.pi, 0.0))
         ax.set_yticks([-np.pi, -np.pi / 2, 0], [r"$-\pi$", r"$-\pi/2$", "0"])
     return ax
+
+
+def _round_ticks(ax: Any) -> None:
+    """Numbers such as 0.5, 1 and 2 along a logarithmic axis, not powers of ten."""
+    ax.xaxis.set(major_locator=LogLocator(subs=ROUND), major_formatter=StrMethodFormatter("{x:g}"))
+    ax.minorticks_off()
 
 
 def window(ax: Any, low: float, high: float) -> None:
@@ -377,8 +384,7 @@ def shocks(ax: Any, found: Any, place: str = "beside") -> Any:
         some = {"marker": DETACHES, "markersize": 3.5, "markevery": max(1, here.size // 20)}
         ax.plot(found.duration[off], found.ratio[off], linestyle="none", color=colour, **some)
     ax.set(xscale="log", xlabel=axis(found, "duration"), ylabel=axis(found, "ratio"))
-    ax.xaxis.set(major_locator=LogLocator(subs=ROUND), major_formatter=StrMethodFormatter("{x:g}"))  # no powers of ten
-    ax.minorticks_off()
+    _round_ticks(ax)
     ax.set_ylim(bottom=0.0)
     legend(ax, axis(found, "acceleration"), place=place)
     return ax
@@ -515,10 +521,6 @@ def _signs(ax: Any) -> Iterator[tuple[Any, str]]:
         if any(line.get_marker() == marker and line.get_xdata().size for line in lines):
             yield Line2D([], [], color="0.2", linestyle="none", marker=marker), text
     # a label that begins with an underscore is in no legend of its own
-    beyond = {patch.get_label()[1:] for patch in ax.patches if patch.get_label().startswith("_beyond")}
-    for text in sorted(beyond):
-        yield Patch(color=DETACHED), text
-    tints = {mpl.colors.to_hex(one) for drawn in ax.collections for one in drawn.get_facecolor()}
-    for tint, text in ((STOPPING, r"$A\,\Omega^2 < \mu$: stops"), (UNSTABLE_REGION, "unstable region")):
-        if tint.lower() in tints:
-            yield Patch(color=tint), text
+    tinted = {str(one.get_label()) for one in (*ax.patches, *ax.collections)}
+    for start, tint in (("_beyond", DETACHED), ("_stops", STOPPING), ("_unstable", UNSTABLE_REGION)):
+        yield from ((Patch(color=tint), one[1:]) for one in sorted(tinted) if one.startswith(start))

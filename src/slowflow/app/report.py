@@ -1,7 +1,7 @@
 """The report of a scene. Takes a scene with forcings; returns one HTML page that needs no network.
 
 The answers with their margins, curves, transmissibility, a map of designs with the one at hand, how far to trust each
-jump, the equations with their verdicts, and the data. Pictures are drawn by Matplotlib into the page. What an
+jump, the equations that are proved, and the data. Pictures are drawn by Matplotlib into the page. What an
 oscillator has no answer to, as one under a load or with another law of damping, is left out, and that is said.
 """
 
@@ -34,6 +34,8 @@ from slowflow.support.text import in_units
 
 #: equations of the paper that the answers rest on
 EQUATIONS = ("(3)", "(4)", "(5)", "(6)", "(7)", "(21)", "(22)", "(24)", "(25)", "(27)", "(30)", "(33)", "(34)")
+#: verdicts of the ledger on what is proved
+PROVED = ("identical", "equal after a stated rewriting")
 #: designs of the map along each of two numbers, and how far these reach from the design at hand
 MAPPED, REACH = 60, 0.5
 #: amplitudes of what
@@ -53,7 +55,7 @@ NAMES = ("answer", "parameter")
 FEW = 2
 #: tables of what is asked at each forcing, and of what else a scene may ask for
 AT_EACH = {
-    "margins": "Margins to jumps and to detachment: above 1 is safe",
+    "margins": "Margins against jumps and detachment; the limit is not exceeded above 1",
     "peak": "The highest peak",
     "isolation": "Frequency above which the transmissibility stays below its limit",
     "saddle_nodes": "Where a sweep jumps",
@@ -80,7 +82,7 @@ MEANING = {one.si or one.name: one.text for one in COLUMNS.values()} | {
     "rests_within": "distance from the centre within which friction holds the mass",
     "preset": "compression of the vertical spring that holds the mass at the centre",
     "lightest": "mass that would rest at the upper end of the stroke",
-    "heaviest": "mass that would rest at its lower end",
+    "heaviest": "mass that would rest at the lower end of the stroke",
 }
 #: errors that numbers of five digits do not show
 UNSEEN = 1e-5
@@ -227,10 +229,10 @@ class Report:
         answers = [(one, self.scene.answer(one)) for one in self._cases("transient")]
         if not answers:
             return
-        for name, most in (("A", "deflects it most, by"), ("a_max", "accelerates it most, to")):
+        for name, most in (("A", "deflection"), ("a_max", "acceleration of the mass")):
             one, found = max(answers, key=lambda pair: float(pair[1].columns()[name][0]))
             shock = str(one).partition(" at ")[2]
-            yield f"The shock that {most} {_one(found, name)}{f', has {shock}' if shock else ''}."
+            yield f"Largest {most} in a shock: {_one(found, name)}{f', for {shock}' if shock else ''}."
         some, count = sum(bool(found.columns()["detaches"][0]) for _, found in answers), len(answers)
         if count > 1:
             yield f"In {some} of {count} shocks the springs detach."
@@ -252,9 +254,9 @@ class Report:
             at = ", ".join(f"{kind.replace('-', 's ')} at {_number(folds, x, self.f)}" for kind, x in jumps)
             yield f"it {at};"
         elif (lowest := _one(onset, f"{self.letter[0]}_SN")) is None:
-            yield "it does not jump, nor at any other amplitude of the excitation;"
+            yield "it does not jump, as at any other amplitude of the excitation;"
         else:
-            yield f"it does not jump: it would from {lowest} on;"
+            yield f"it does not jump, as it does only above {lowest};"
         least = f"{self.letter[0]}_cr"
         most = _one((margins or [leaving])[0], least)
         if margins:
@@ -264,16 +266,16 @@ class Report:
             yield f"{leaving.message}."
         else:
             attached = F < getattr(leaving, least)
-            yield f"its springs {f'stay attached up to {most}' if attached else f'detach from {most} on'}."
+            yield f"its springs {f'stay attached up to {most}' if attached else f'detach above {most}'}."
         if peak and peak[0].A is not None:
-            yield f"Its highest motion is {_one(peak[0], 'A')}, at {_one(peak[0], self.f)}."
+            yield f"Its peak amplitude is {_one(peak[0], 'A')}, at {_one(peak[0], self.f)}."
         if isolation and (begin := _one(isolation[0], self.f)) is not None:
             open_ = ", as far as resolved" if isolation[0].remarks & Remark.UNDECIDED else ""
-            yield f"From {begin} on its transmissibility is below 0 dB{open_}."
+            yield f"Above {begin} its transmissibility is below 0 dB{open_}."
         for one in self.scene.of("isolation"):
             level = one.arguments.get("level_dB", 0.0) if one.forcing == F else 0.0
             if level and (begin := _one(self.scene.answer(one), self.f)) is not None:
-                yield f"From {begin} on its transmissibility is below {level:g} dB."
+                yield f"Above {begin} its transmissibility is below {level:g} dB."
 
     def design(self) -> Iterator[str]:
         """The numbers that were given, and what they mean at rest."""
@@ -364,7 +366,7 @@ class Report:
             worst = max(range(len(found)), key=lambda k: float(found[k].columns()["A"][0]))
             ax = pictures.history(page.axes(), found[worst], "below")
             _, _, shock = str(queries[worst]).partition(" at ")  # nothing of a record
-            caption = "The motion of the mass, relative to its base, in the shock that deflects it most"
+            caption = "The motion of the mass, relative to its base, in the shock with the largest deflection"
             yield page.figure(ax, f"{caption}{shock and ': ' + shock}.")
         for one in self.scene.of("shock_spectrum"):
             answer: Any = self.scene.answer(one)
@@ -391,14 +393,14 @@ class Report:
         if queries:
             shares = queries[0].arguments["within"].items()
             within = ", ".join(f"{page.inline(name)} within {100 * fraction:g} %" for name, fraction in shares)
-            yield f"<p>{within}; 95 of 100 lie between low and high.</p>"
+            yield f"<p>{within}; 95 % of the designs lie between low and high.</p>"
         for one in queries:
             found: Any = self.scene.answer(one)
             yield _table(f"T{str(one)[1:]}", found)
             if len(found) > FEW:
                 ax = pictures.bands(page.axes(), found)
                 yield page.figure(
-                    ax, f"The range of 95 of 100 designs, relative to the nominal value, cut at twice that: {one}."
+                    ax, f"The range of 95 % of the designs, relative to the nominal value, cut at twice that: {one}."
                 )
 
     def map(self) -> Iterator[str]:
@@ -422,7 +424,7 @@ class Report:
         ax = pictures.design_map(page.axes(), (name_x, columns / of_x), (name_y, rows / of_y), found)
         ax.plot(subject.nominal[x] / of_x, subject.nominal[y] / of_y, "o", color="white", markeredgecolor="black")
         what, over = EXCITATION[self.excitation], f"{NUMBERS[x]} and {NUMBERS[y]}"
-        yield page.figure(ax, f"The {what} from which on it jumps, over {over}; the circle marks this design.")
+        yield page.figure(ax, f"Lowest {what} with jumps, over {over}; the circle marks this design.")
 
     def trust(self) -> Iterator[str]:
         """Jumps by averaging, the second approximation and the equation of motion; amplitudes; curves."""
@@ -500,7 +502,7 @@ class Report:
                     at = f"{self._in_unit(F)} {self.unit}".rstrip()
                     remarks.append(f"<p>At {at} elsewhere on the curve: {page.inline(message)}.</p>")
         if rows:
-            heads = (*self._heads("F_0"), "friction over force", "half of them within", "95 of 100 within")
+            heads = (*self._heads("F_0"), "friction / force", "median", "95th percentile")
             yield page.table("Error of the highest stable amplitude, as measured for such isolators", heads, rows)
         yield from remarks
 
@@ -531,29 +533,25 @@ class Report:
         if len(found) > 1:
             ax = pictures.depths(page.axes(), found)
             at_F = f"{self._in_unit(F)} {self.unit}" if self.unit else f"{self.letter} = {F:g}"
-            caption = f"by {'two' if len(found) == 2 else 'three'} depths: the closer they lie, the better."
-            yield page.figure(ax, f"The response at {at_F} about its peak, {caption}")
+            caption = f"by {'two' if len(found) == 2 else 'three'} methods of increasing accuracy."
+            yield page.figure(ax, f"The response at {at_F} near its peak, {caption}")
         yield from missing
 
     def equations(self) -> Iterator[str]:
-        """Those of the paper, with their verdicts."""
+        """Those of the paper that the derivation proves."""
         ledger = read_ledger()
         rows = [
-            (
-                row["where"],
-                page.prose(row["quantity"]),
-                page.prose(row["verdict"]),
-                page.formula(row["mathml"], row["published"]),
-            )
+            (row["where"], page.prose(row["quantity"]), page.formula(row["mathml"], row["published"]))
             for row in ledger["rows"]
-            if row["kind"] == "formula" and row["where"] in EQUATIONS
+            if row["kind"] == "formula" and row["where"] in EQUATIONS and row["verdict"] in PROVED
         ]
-        yield f"<p>Equations of {escape(ledger['paper'])}, each compared with the derivation:</p>"
+        yield f"<p>Equations of {escape(ledger['paper'])}, each proved by the derivation:</p>"
         if self.plain.load != 0:
             remark = "with the balance of the mean, which is not in the paper"
             yield f"<p>Under a load these hold about a mean B, {remark}.</p>"
-        heads = ("equation", "what", "verdict", "as published: expression that vanishes, or value")
-        yield page.table("Verdicts", heads, rows)
+        yield page.table(
+            "Averaged equations and their origin", ("number", "quantity", "expression that vanishes, or value"), rows
+        )
 
     def data(self) -> Iterator[str]:
         """Answers as files, and the scene."""

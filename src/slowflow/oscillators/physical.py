@@ -518,7 +518,8 @@ class Physical:
             length = self.scales.sizes["length"] / UNITS["length"]["mm"]
             pictures.breakpoints(ax, [length * end for end in self.oscillator.breakpoints], "x")
         if drawn == "A":
-            pictures.stopping(ax, self.oscillator.mu * length * self.scales.sizes["frequency"] ** 2)
+            edge = self.oscillator.mu * length * self.scales.sizes["frequency"] ** 2
+            pictures.stopping(ax, edge, r"$m A (2\pi f)^2 <$ friction")
         pictures.legend(ax, pictures.axis(found[0][0], letter))
         return ax
 
