@@ -158,55 +158,8 @@ def test_the_conda_recipe_asks_for_what_the_package_asks_for() -> None:
     assert required == {f"{names.get(name, name)}>={version}" for name, version in lowest.items()}
 
 
-#: what a newcomer types into the site's search, which wants all words, and the page that answers
-SEARCHED = {
-    "install compiler windows": "howto/install",
-    "jump force": "howto/questions",
-    "F_SN onset fold": "glossary",
-    "newton units millimetre": "howto/questions",
-    "base shakes floor": "howto/shocks",
-    "accurate trust averaging": "howto/questions",
-    "plot response curve": "howto/questions",
-    "custom spring force": "howto/questions",
-    "tolerances requirements": "howto/tolerances",
-    "no answer NaN": "howto/questions",
-    "export csv pandas": "howto/questions",
-    "command line scene report": "howto/command_line",
-    "fit measured damping": "howto/questions",
-    "million designs parallel": "howto/questions",
-    "matlab": "howto/languages",
-    "limits subharmonics": "limits",
-    "quasi-zero stiffness": "faq",
-    "transmissibility nonlinear": "faq",
-    "stick-slip exactly": "faq",
-    "jump-up frequencies": "faq",
-    "Duffing dry friction": "faq",
-    "harmonic balance": "glossary",
-    "rotating unbalance": "howto/shocks",
-    "shock response spectrum": "howto/questions",
-    "static load asymmetric": "howto/off_centre",
-    "structural damping loss factor": "howto/damping",
-    "Hertzian contact": "howto/own_mechanism",
-    "optional dependencies": "howto/install",
-    "deprecation SPEC 0": "versions",
-    "spring law own": "howto/own_mechanism",
-    "million all cores dask cluster": "howto/batches",
-    "status code remark": "howto/questions",
-    "TOO_MANY UNRESOLVED": "glossary",
-    "equation paper": "howto/questions",
-    "differ paper errata misprint": "howto/questions",
-    "identify damping measured curve": "howto/questions",
-    "shock pulse peak acceleration": "howto/shocks",
-    "load too heavy": "howto/off_centre",
-    "subharmonics": "howto/questions",
-    "cite": "howto/install",
-    "backbone cusps isolas": "howto/questions",
-    "reproduce paper figures": "howto/questions",
-    "damping coefficient c N s/m": "glossary",
-    "exceptions thread-safe": "faq",
-    "solvers C headers": "howto/languages",
-    "no compiler": "howto/install",
-}
+#: by page that answers what a newcomer types into the site's search, which wants all words
+SEARCHED = {terms: page for page, all_of_it in stored("searches").items() for terms in all_of_it}
 
 
 @pytest.mark.parametrize("terms", SEARCHED)
