@@ -156,17 +156,17 @@ ROWS(rod_spring_record_averaged_loop_0, rod_spring_averaged_passed_0, 4)
 ROWS(rod_spring_record_averaged_loop_1, rod_spring_averaged_passed_1, 4)
 ROWS(rod_spring_record_averaged_loop_2, rod_spring_averaged_passed_1_far_1, 4)
 static const rows rod_spring_record_averaged_loops[] = {rod_spring_record_averaged_loop_0, rod_spring_record_averaged_loop_1, rod_spring_record_averaged_loop_2};
-SUMS(rod_spring_record_averaged, records_by_regime(rod_spring_record_averaged_loops, rod_spring_record_averaged_regime, n, A, p, out))
+SUMS(rod_spring_record_averaged, if (n == 1) rod_spring_averaged(A[0], p, out); else records_by_regime(rod_spring_record_averaged_loops, rod_spring_record_averaged_regime, n, A, p, out))
 ROWS(rod_spring_record_averaged_2_loop_0, rod_spring_averaged_2_passed_0, 2)
 ROWS(rod_spring_record_averaged_2_loop_1, rod_spring_averaged_2_passed_1, 2)
 ROWS(rod_spring_record_averaged_2_loop_2, rod_spring_averaged_2_passed_1_far_1, 2)
 static const rows rod_spring_record_averaged_2_loops[] = {rod_spring_record_averaged_2_loop_0, rod_spring_record_averaged_2_loop_1, rod_spring_record_averaged_2_loop_2};
-SUMS(rod_spring_record_averaged_2, records_by_regime(rod_spring_record_averaged_2_loops, rod_spring_record_averaged_regime, n, A, p, out))
+SUMS(rod_spring_record_averaged_2, if (n == 1) rod_spring_averaged_2(A[0], p, out); else records_by_regime(rod_spring_record_averaged_2_loops, rod_spring_record_averaged_regime, n, A, p, out))
 ROWS(rod_spring_record_harmonics_loop_0, rod_spring_harmonics_passed_0, 8)
 ROWS(rod_spring_record_harmonics_loop_1, rod_spring_harmonics_passed_1, 8)
 ROWS(rod_spring_record_harmonics_loop_2, rod_spring_harmonics_passed_1_far_1, 8)
 static const rows rod_spring_record_harmonics_loops[] = {rod_spring_record_harmonics_loop_0, rod_spring_record_harmonics_loop_1, rod_spring_record_harmonics_loop_2};
-SUMS(rod_spring_record_harmonics, records_by_regime(rod_spring_record_harmonics_loops, rod_spring_record_averaged_regime, n, A, p, out))
+SUMS(rod_spring_record_harmonics, if (n == 1) rod_spring_harmonics(A[0], p, out); else records_by_regime(rod_spring_record_harmonics_loops, rod_spring_record_averaged_regime, n, A, p, out))
 
 INTERCEPT(rod_spring_record_intercept, rod_spring_intercept(A, p[0], p[1], p[2], p[3]))
 BY_PARAMETER(rod_spring_record_by_parameter, rod_spring_by_parameter)
@@ -226,7 +226,7 @@ static inline int rod_spring_untruncated_record_harmonics_regime(double A, const
 ROWS(rod_spring_untruncated_record_harmonics_loop_0, rod_spring_untruncated_harmonics_passed_0, 8)
 ROWS(rod_spring_untruncated_record_harmonics_loop_1, rod_spring_untruncated_harmonics_passed_1, 8)
 static const rows rod_spring_untruncated_record_harmonics_loops[] = {rod_spring_untruncated_record_harmonics_loop_0, rod_spring_untruncated_record_harmonics_loop_1};
-SUMS(rod_spring_untruncated_record_harmonics, records_by_regime(rod_spring_untruncated_record_harmonics_loops, rod_spring_untruncated_record_harmonics_regime, n, A, p, out))
+SUMS(rod_spring_untruncated_record_harmonics, if (n == 1) rod_spring_untruncated_harmonics(A[0], p, out); else records_by_regime(rod_spring_untruncated_record_harmonics_loops, rod_spring_untruncated_record_harmonics_regime, n, A, p, out))
 
 INTERCEPT(rod_spring_untruncated_record_intercept, rod_spring_untruncated_intercept(A, p[0], p[1], p[2]))
 BY_PARAMETER(rod_spring_untruncated_record_by_parameter, rod_spring_untruncated_by_parameter)

@@ -18,7 +18,7 @@ from slowflow.answers.results import Remark
 from slowflow.answers.table import AVERAGING, QUESTIONS, Codes
 from slowflow.averaged import checks, isolating
 from slowflow.averaged.batches import Batch
-from slowflow.averaged.diagnostics import gives_way, stay_centred
+from slowflow.averaged.diagnostics import gives_way
 from slowflow.averaged.many import Designs
 from slowflow.averaged.questions import Averaged
 from slowflow.core import validate
@@ -136,7 +136,7 @@ def hysteresis(designs: Designs, F_0: Any, places: int = 3, workers: int = 1) ->
     with np.errstate(all="ignore"):  # a number outside its domain has a status
         flow = designs._flow
         # of two motions one may be beyond the well, and none then
-        plain &= stay_centred(flow) | ~gives_way(flow)
+        plain &= flow.stays_centred | ~gives_way(flow)
     if designs.excitation != "force":  # a response that does not close has more
         plain &= designs.peak(F_0, workers=workers).status != Status.UNBOUNDED
     low[plain, 0], high[plain, 0] = low_end[plain], high_end[plain]
@@ -168,7 +168,7 @@ def isolation(designs: Designs, F_0: Any, level_dB: Any = None, workers: int = 1
         answered = np.isin(status, (Status.OK, Status.NONE) if flow.inertial else Status.OK)
         # friction alone passes on more, at any frequency
         floor = (dB < 0) & (flow.floor(forcing) >= levels.ratio) & answered
-        known = stay_centred(flow) & answered & ~floor
+        known = flow.stays_centred & answered & ~floor
     status[floor] = Status.NONE
     remarks = (peaks.remarks | folds.remarks) & ~np.uint16(Remark.OF_TRUNCATION)  # which a fold is of, not the response
     known &= (folds.status == Status.OK) & (remarks & (Remark.UNDECIDED | Remark.BY_BALLS) == 0)

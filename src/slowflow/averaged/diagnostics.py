@@ -213,7 +213,7 @@ def look_at(flow: SlowFlow, Omega: Any, A: Any) -> tuple[Flags, Flags]:
 
     They are looked at where a design may do otherwise.
     """
-    may = np.broadcast_to(~stay_centred(flow), A.shape[:-1])
+    may = np.broadcast_to(~flow.stays_centred, A.shape[:-1])
     kept, beyond = np.ones(A.shape, dtype=bool), np.zeros(A.shape, dtype=bool)
     if may.any():
         own = tuple(np.broadcast_to(value, may.shape)[may][:, np.newaxis] for value in flow.parameters)
@@ -226,21 +226,13 @@ def look_at(flow: SlowFlow, Omega: Any, A: Any) -> tuple[Flags, Flags]:
 
 def _unsustained(flow: SlowFlow, Omega: Any, A: Floats) -> Flags:
     """Whether any state of each of many designs is `sustained.unsustained`, looked at where one may be."""
-    found = np.array((A > 0).any(axis=-1) & ~stay_centred(flow))
+    found = np.array((A > 0).any(axis=-1) & ~flow.stays_centred)
     if found.any():
         chosen = flow.each(lambda value: np.broadcast_to(value, found.shape)[found][..., np.newaxis])
         states = sustained.unsustained(chosen, np.broadcast_to(Omega, A.shape)[found], A[found])
         # of those beyond the top of the well another remark tells
         found[found] = (states & ~turns_beyond(chosen, A[found])).any(axis=-1)
     return found
-
-
-def stay_centred(flow: SlowFlow) -> Flags:
-    """`Model.stays_centred` of each of many designs."""
-    hardening = np.broadcast_arrays(*flow.mechanism.hardening(*flow.parameters))
-    hardens = np.all([np.asarray(value) >= 0 for value in hardening], axis=0)
-    pull, at_rest = (np.asarray(value) for value in flow.mechanism.at_rest(*flow.parameters)[:2])
-    return np.asarray(hardens & ~(at_rest > 0) & ~(pull > 0))
 
 
 def messages(remarks: Remark, model: Model, F_0: float) -> list[str]:

@@ -231,7 +231,7 @@ class Designs(Unchanging, ManyQuestions[Batch]):
         texts = [f"{name} = {value}" if value.ndim == 0 else f"an array of {name}" for name, value in values]
         return ", ".join(texts if self.rubs == THROUGHOUT else [*texts, f"rubs = {self.rubs!r}"])
 
-    @property
+    @cached_property
     def _flow(self) -> SlowFlow:
         """The slow flow of all designs; a number outside its domain, which has a status, may warn."""
         damping = {
@@ -319,6 +319,8 @@ class Designs(Unchanging, ManyQuestions[Batch]):
         """
         with np.errstate(all="ignore"):  # a number outside its domain has a status
             sticks = self._flow.sticks_at(np.asarray(F_0), np.asarray(Omega))
+        if not sticks.any():
+            return
         sticks = sticks & np.isin(status, (Status.OK, Status.STICKS, Status.NONE, Status.TOO_MANY))
         empty, full = sticks & (count == 0), sticks & (count >= columns[0][0].shape[-1])
         for column, value in columns:
@@ -393,8 +395,8 @@ class Designs(Unchanging, ManyQuestions[Batch]):
         if self.excitation != "force":
             return np.zeros(self.shape, dtype=bool)
         with np.errstate(all="ignore"):  # a number outside its domain has a status
-            may = ~diagnostics.stay_centred(flow := self._flow)
-            return np.asarray(may & diagnostics.gives_way(flow) if may.any() else may)
+            may = ~self._flow.stays_centred
+            return np.asarray(may & diagnostics.gives_way(self._flow) if may.any() else may)
 
     def remarks(self, F_0: Any, Omega: Any, A: Any, corner: Any) -> diagnostics.Codes:
         """Diagnostics of the states of each design, along an additional axis; see `diagnostics.of_designs`."""
@@ -440,14 +442,18 @@ class Designs(Unchanging, ManyQuestions[Batch]):
                 )
         values = {**self.values, **{name: validate.real_array(name, value) for name, value in at.items()}}
         shape = validate.common_shape(values)
-        outputs = list(question.blank(places, Status.UNRESOLVED, shape).values())
+        record = backend.record_of(self.mechanism, self.excitation != "force", bool(self.laws))
+        solve = question.batch(record) if question.batch is not None and record is not None else None
+        blank = question.blank(places, Status.UNRESOLVED).values()
+        outputs = [np.empty((*shape, *one.shape), one.dtype) for one in blank]
+        if solve is None:  # which writes each entry
+            for output, one in zip(outputs, blank, strict=True):
+                output[...] = one
         solved = outputs
         if question.one is None:  # a proof: bits of its arithmetic, before the status
             outputs[-2][...] = DOUBLES
             solved = [*outputs[:-2], outputs[-1]]
-        record = backend.record_of(self.mechanism, self.excitation != "force", bool(self.laws))
-        if question.batch is not None and record is not None:
-            solve = question.batch(record)
+        if solve is not None:
             numbers = self._with_all_laws(values) if self.laws else list(values.values())
             # what the solvers do not take as it is, long doubles
             doubles = (value if np.can_cast(value.dtype, float) else value.astype(float) for value in numbers)
@@ -461,7 +467,7 @@ class Designs(Unchanging, ManyQuestions[Batch]):
             map_chunks(part, blocks(shape, question.at_once), threads, lambda one: places_of[one].size, places_of.size)
             if question.one is not None and self.mechanism.enclosed is not None:
                 self._refuse_undefined(question, places, outputs)
-        if question.one is not None and (self.laws or record is None or question.batch is None):
+        if question.one is not None and (self.laws or solve is None):
             # single answers know of masses that no spring holds, and of what boxes leave unresolved
             left = np.isin(outputs[-1], (Status.NO_BOUND, Status.UNRESOLVED))
             for index, design, own in self._each(left, *(values[name] for name in at)):

@@ -178,7 +178,22 @@ class SlowFlow:
     @cached_property
     def preload(self) -> Any:
         """-h as A tends to 0: 4/pi times what an odd force jumps to at u = 0, which all but a few forces do not."""
-        return -np.asarray(self.mechanism.at_rest(*self.parameters)[0]) * self.mechanism.odd
+        return -np.asarray(self._rest[0]) * self.mechanism.odd
+
+    @cached_property
+    def _rest(self) -> tuple[Floats, ...]:
+        """The averages as A tends to 0, which several questions need."""
+        return tuple(np.asarray(value) for value in self.mechanism.at_rest(*self.parameters))
+
+    @cached_property
+    def stays_centred(self) -> Any:
+        """Whether every motion about u = 0 is known to stay about it.
+
+        Where f(u)/u is positive and rises with |u| so does -h/A with A, and -h_A is positive with it: so is their mean.
+        """
+        hardening = np.broadcast_arrays(*self.mechanism.hardening(*self.parameters))
+        pull, slope = self._rest[:2]
+        return np.all([value >= 0 for value in hardening], axis=0) & ~(slope > 0) & ~(pull > 0)
 
     @cached_property
     def break_loose(self) -> Any:
@@ -437,8 +452,8 @@ class Model(SlowFlow):
         return -float(self._rest[0]) if self.mechanism.odd else 0.0
 
     @cached_property
-    def _rest(self) -> tuple[Floats, Floats, Floats, Floats]:
-        """The averages as A tends to 0, which several ask of an oscillator that is made."""
+    def _rest(self) -> tuple[Floats, ...]:
+        """The same, by the compiled averages."""
         return self.averaged(0.0)
 
     @cached_property
@@ -453,10 +468,7 @@ class Model(SlowFlow):
 
     @cached_property
     def stays_centred(self) -> bool:
-        """Whether every motion about u = 0 is known to stay about it.
-
-        Where f(u)/u is positive and rises with |u| so does -h/A with A, and -h_A is positive with it: so is their mean.
-        """
+        """The same, a flag."""
         return self.hardens and not self.negative_stiffness
 
     def sticks(self, F_0: float) -> bool:

@@ -114,11 +114,12 @@ static inline int sf_has_preload_by_inertia(const sf_model *model) {
  * ends of its pieces do not rise. design: NULL where it is not known */
 static inline int sf_prepare(const sf_mechanism *mechanism, const double *design, sf_model *model) {
     double b[SF_MOST_BREAKS], jump[SF_MOST_BREAKS], kink[2 * SF_MOST_BREAKS];
+    model->by_laws = 0;
     if (mechanism->damping_size < SF_MOST_DAMPING)
         model->eta = model->d = model->d_3 = model->zeta_2 = model->released = 0;
-    model->by_laws = 0;
-    for (int i = 2; i < SF_MOST_DAMPING; i++)
-        model->by_laws |= model->damping[i] != 0;
+    else
+        for (int i = 2; i < SF_MOST_DAMPING; i++)
+            model->by_laws |= model->damping[i] != 0;
     if (!(model->m <= SF_LARGEST))
         return 0;
     for (int i = 0; i < mechanism->parameters; i++)
