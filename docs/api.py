@@ -18,6 +18,7 @@ EXAMPLES: dict[str, Any] = tomllib.loads(Path(__file__).with_suffix(".toml").rea
 MODULES = (
     "slowflow",
     "slowflow.oscillators.physical",
+    "slowflow.oscillators.physical_designs",
     "slowflow.answers.quantities",
     "slowflow.oscillators.measurements",
     "slowflow.oscillators.oscillator",

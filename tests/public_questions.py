@@ -15,6 +15,7 @@ from slowflow.off_centre.many import OffCentreDesigns
 from slowflow.off_centre.questions import OffCentre
 from slowflow.oscillators.isolator import Isolator
 from slowflow.oscillators.physical import Physical
+from slowflow.oscillators.physical_designs import PhysicalDesigns
 from slowflow.second import SecondApproximation
 from slowflow.second.many import SecondDesigns
 
@@ -205,6 +206,11 @@ MANY = {
 }
 OF_BATCHES = {**MANY, "certify": query(columns, Omega=st.none() | columns), "at_rest": query()}
 OF_BATCHES["random"] = query(S_0=columns) | query(psd=spectra)
+OF_MOUNTS = {name: how for name, how in MANY.items() if name not in ("amplitudes", "frequency_response", "spectrum")}
+OF_MOUNTS |= {name: query(f=columns, F=columns) for name in ("amplitudes", "spectrum")}
+OF_MOUNTS["frequency_response"] = query(columns, samples=st.sampled_from([5, 1]), f=st.just((0.5, 1.5)) | windows)
+OF_MOUNTS |= {"certify": query(columns, f=st.none() | columns), "at_rest": query(), "rest": query()}
+OF_MOUNTS["random"] = query(psd=spectra, unit=mostly(st.just("g^2/Hz"), st.just("V^2/Hz")))
 OF_LOADED_BATCHES = {**MANY, "rest": query()}
 OF_SECOND_BATCHES = {name: MANY[name] for name in ("saddle_node_onset", "detachment", "peak", "saddle_nodes")}
 OF_SECOND_BATCHES |= {name: MANY[name] for name in ("amplitudes", "frequency_response")}
@@ -216,12 +222,13 @@ OF_CLASS = {
     SecondApproximation: SECOND,
     Physical: {**IN_UNITS, **MOTIONS_IN_UNITS, **PICTURES_IN_UNITS},
     Designs: OF_BATCHES,
+    PhysicalDesigns: OF_MOUNTS,
     OffCentreDesigns: OF_LOADED_BATCHES,
     SecondDesigns: OF_SECOND_BATCHES,
 }
 #: public, and tested by other methods: what makes oscillators, what measures answers, what refuses, what draws maps
 NO_QUESTIONS = {"many", "physical", "measured", "at_centre"}
-NO_QUESTIONS |= {"ask", "model", "remarks", "spanned", "untruncated_onset"}
+NO_QUESTIONS |= {"ask", "model", "remarks", "untruncated_onset"}
 
 
 def any_of(questions):

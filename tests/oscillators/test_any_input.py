@@ -20,6 +20,7 @@ from slowflow import Duffing, Isolator, sizing
 from slowflow.answers.answer import Answer
 from slowflow.app import cli
 from slowflow.averaged.batches import Batch
+from slowflow.oscillators.physical_designs import ManyQuantities
 from slowflow.oscillators.range_checks import Implausible
 from slowflow.support.errors import SlowflowError
 from slowflow_kernels.conventions import Status
@@ -57,8 +58,8 @@ def answered(question):
 
 def read(answer, extra=()):
     """Read all attributes and methods without arguments of an answer: gradients, tables, decibels, messages."""
-    if isinstance(answer, Batch):
-        no_nan_with_an_answer(answer)
+    if isinstance(answer, (Batch, ManyQuantities)):
+        no_nan_with_an_answer(getattr(answer, "answer", answer))
     elif hasattr(answer, "message"):
         found = [value for value in vars(answer).values() if undefined(value)]
         assert not found or answer.message
@@ -112,6 +113,8 @@ oscillators |= st.tuples(st.just(Duffing), st.fixed_dictionaries(public_question
 batches = st.tuples(st.just(Isolator.many), st.fixed_dictionaries(public_questions.BATCHES))
 loaded = st.tuples(st.just(Isolator.many), st.fixed_dictionaries({**public_questions.BATCHES, "load": columns}))
 sheets = st.tuples(st.just(Isolator.physical), st.fixed_dictionaries(public_questions.SHEETS))
+varied = st.fixed_dictionaries({}, optional={name: columns for name in ("m", "k_v", "k_h", "L", "preload", "friction")})
+mounts = st.tuples(st.just(Isolator.physical(m=12, k_v=2500, k_h=1700, L=0.08, preload=0.009, zeta=0.02).many), varied)
 #: objects, their attribute that is queried, its questions, how many at most, examples, what is read in addition
 CASES = {
     "an oscillator": (oscillators, "", public_questions.AVERAGED, 3, fewer(300, 5), ()),
@@ -136,6 +139,7 @@ CASES = {
         (),
     ),
     "a batch off the centre": (loaded, "", public_questions.OF_LOADED_BATCHES, 1, fewer(60, 5), ()),
+    "many mounts": (mounts, "", public_questions.OF_MOUNTS, 2, fewer(100, 5), ()),
     "a data sheet": (sheets, "", public_questions.IN_UNITS, 3, fewer(300, 5), ()),
     "motions of a data sheet": (sheets, "", public_questions.MOTIONS_IN_UNITS, 1, fewer(30, 5), ()),
 }

@@ -21,8 +21,8 @@ ROOMS = {
 }
 #: fields of public answers and records, and public keywords, which stay, by file of `src/slowflow`
 PUBLIC = {
-    "answers/physical_answers.py": {"rests"},
     "answers/table.py": {"places", "rests", "stands"},
+    "answers/physical_answers.py": {"rests", "stands"},
     "app/scenes.py": {"asked"},
     "app/verdict.py": {"share"},
     "averaged/batch_checks.py": {"places"},
@@ -33,6 +33,7 @@ PUBLIC = {
     "off_centre/many.py": {"places"},
     "oscillators/oscillator.py": {"given"},
     "oscillators/physical.py": {"given"},
+    "oscillators/physical_designs.py": {"asked", "places"},
     "random_vibration/many.py": {"places"},
     "second/many.py": {"places"},
     "sizing/tolerances.py": {"share"},

@@ -15,6 +15,7 @@ import numpy.typing as npt
 
 from slowflow.answers.quantities import Quantities
 from slowflow.answers.results import Remark
+from slowflow.answers.table import Codes, Counts, Sizes
 from slowflow.core.mechanism import Array, Flags, Floats, Ints
 
 Strings = npt.NDArray[np.str_]
@@ -224,3 +225,77 @@ class Certificate(Quantities):
     saddle_node_onset: Quantities
     detachment: Quantities
     amplitudes: Quantities | None
+
+
+class Many(Excited[Floats]):
+    """Of each question about many mounts: arrays of their shape, some with an additional axis."""
+
+    F_SN: Floats
+    Y_SN: Floats
+    a_SN: Floats
+    U_SN: Floats
+    F_cr: Floats
+    Y_cr: Floats
+    a_cr: Floats
+    U_cr: Floats
+    of_SN: Floats
+    of_cr: Floats
+    f: Floats
+    f_0: Floats
+    f_cr: Floats
+    f_max: Floats
+    f_low: Floats
+    f_high: Floats
+    f_sticks: Floats
+    f_e: Floats
+    fold_f: Floats
+    fold_A: Floats
+    A: Floats
+    A_1: Floats
+    B: Floats
+    x: Floats
+    x_cr: Floats
+    x_max: Floats
+    x_end: Floats
+    x_rms: Floats
+    v_rms: Floats
+    a_rms: Floats
+    a_max: Floats
+    t_A: Floats
+    t_a: Floats
+    t_detaches: Floats
+    phi: Floats
+    transmissibility: Floats
+    transmissibility_dB: Floats
+    ratio: Floats
+    ratio_e: Floats
+    k_0: Floats
+    stiffness: Floats
+    damping: Floats
+    dry: Floats
+    beyond: Floats
+    crossing_rate: Floats
+    break_loose: Floats
+    rests_within: Floats
+    sticking: Floats
+    kind: Codes
+    fold_kind: Codes
+    stable: Codes
+    at_rest: Codes
+    at_fold: Codes
+    onset: Codes
+    folds: Codes
+    motions: Codes
+    crosses: Codes
+    detaches: Codes
+    sticks: Codes
+    rests: Codes
+    stands: Codes
+    branch: Sizes
+    isola: Codes
+    points: Counts
+    count: Codes
+    proved: Codes
+    bits: Sizes
+    undecided: Codes
+    status: Codes

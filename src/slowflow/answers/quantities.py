@@ -9,11 +9,11 @@ from __future__ import annotations
 
 import contextlib
 import dataclasses
+import functools
 import math
 import operator
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from functools import cached_property
 from types import MappingProxyType, SimpleNamespace
 from typing import Any, Self
 
@@ -167,15 +167,18 @@ class Quantities(Answer):
         self.__dict__["has_rows"] = bool(self.entry)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return Quantities, (dict(self.values), dict(self.units), self.answer, self.entry, self.scales, self.chosen)
+        own = (getattr(self, one.name) for one in dataclasses.fields(self))
+        return type(self), tuple(dict(value) if isinstance(value, MappingProxyType) else value for value in own)
 
     def __getattr__(self, name: str) -> Any:
         values = self.__dict__.get("values", {})  # not there yet while it is made
         if name not in values:
             if name == OF_THE_ANSWER and isinstance(answer := self.__dict__.get("answer"), Answer):
                 getattr(answer, name)  # which may say why it has none
-                raise AttributeError(f"{name!r} is not part of an answer in units: .answer.{name} is dimensionless")
-            raise AttributeError(f"{name!r} is not part of this answer: it has {', '.join(values)}")
+                raise validate.NoAttribute(
+                    f"{name!r} is not part of an answer in units: .answer.{name} is dimensionless"
+                )
+            raise validate.NoAttribute(f"{name!r} is not part of this answer: it has {', '.join(values)}")
         return values[name]
 
     def __len__(self) -> int:
@@ -254,7 +257,7 @@ class Quantities(Answer):
         for name, value in values.items():
             if isinstance(value, Quantities):
                 values[name] = value.in_units(*units)
-        return type(self)(values, found, self.answer, self.entry, self.scales, chosen=True)
+        return dataclasses.replace(self, values=values, units=found, chosen=True)
 
     def gradient(self) -> Gradient:
         """Differentiate the numbers with respect to the data of the mount and the question's arguments.
@@ -415,8 +418,8 @@ class Scales:
                 f"m = {self.m:g}, k_v = {self.k_v:g}, L = {self.L:g}: not allowed together, out of the range of doubles"
             )
 
-    @cached_property
-    def sizes(self) -> dict[str, float]:
+    @functools.cached_property
+    def sizes(self) -> dict[str, Any]:
         """Scales by kind of number."""
         return sizes(m=self.m, k_v=self.k_v, L=self.L)
 
@@ -430,7 +433,7 @@ class Scales:
         """Excitation of the dimensionless oscillator: an acceleration a of the base is a force m a on the mass."""
         return "force" if self.excitation == "acceleration" else self.excitation
 
-    @cached_property
+    @functools.cached_property
     def measures(self) -> dict[str, tuple[str, Scale]]:
         """For each number of a design and its damping, by name: the mount's name, and the scale."""
         design = CUBIC if "k_1" in self.sheet else dict(zip(ROD_SPRING.design_names, ROD_SPRING.scales, strict=True))
@@ -474,7 +477,7 @@ class Scales:
         if name == "load":
             return f"{self.m:g}"
         kind = self.kind(name)[1]
-        return float(value) * self.sizes[kind] / (1.0 if si else UNITS[kind][SHOWN[kind]])
+        return float(value * self.sizes[kind]) / (1.0 if si else UNITS[kind][SHOWN[kind]])
 
     @contextlib.contextmanager
     def in_these_terms(self) -> Iterator[None]:
@@ -525,26 +528,56 @@ class Scales:
         of, kinds = zip(*(self.kind(name) for name in found.of), strict=True)
         answers = [OF_KIND[kind] for kind in kinds]
         # a frequency is in turns, not in radians
-        sizes = np.array([self.sizes[kind] if kind else 1.0 for kind in kinds])
-        units = np.array(
-            [self.sizes["frequency"] if name == "f" else self.of(one) for name, one in zip(by, measures, strict=True)]
+        sizes = [self.sizes[kind] if kind else 1.0 for kind in kinds]
+        units = [
+            self.sizes["frequency"] if name == "f" else self.of(one) for name, one in zip(by, measures, strict=True)
+        ]
+        values, at, base, size_of, size_by = (
+            np.stack([np.broadcast_to(np.asarray(one, dtype=float), found.status.shape) for one in numbers], axis=-1)
+            for numbers in (found._values, found._at, [getattr(self, name) for name in BASE], sizes, units)
         )
-        shape = found.status.shape
-        values, at = (
-            np.stack([np.broadcast_to(np.asarray(one, dtype=float), shape) for one in numbers], axis=-1)
-            for numbers in (found._values, found._at)
-        )
-        base = np.array([getattr(self, name) for name in BASE])
         own, others = (np.array([one.powers for one in measured]) for measured in (answers, measures))
-        by_base = (values[..., np.newaxis] * own - (found.slopes * at[..., np.newaxis, :]) @ others) / base
-        slopes = np.concatenate((found.slopes / units, by_base), axis=-1) * sizes[:, np.newaxis]
-        numbers: tuple[Any, ...] = (*np.moveaxis(at * units, -1, 0), *base)
+        by_base = values[..., np.newaxis] * own - (found.slopes * at[..., np.newaxis, :]) @ others
+        slopes = np.concatenate(
+            (found.slopes / size_by[..., np.newaxis, :], by_base / base[..., np.newaxis, :]), axis=-1
+        )
+        slopes *= size_of[..., np.newaxis]
+        numbers: tuple[Any, ...] = (*np.moveaxis(at * size_by, -1, 0), *np.moveaxis(base, -1, 0))
         names = (*by, *BASE)
         slopes[..., names.index("k_v")] *= self.mounts
         numbers = tuple(one / self.mounts if name == "k_v" else one for name, one in zip(names, numbers, strict=True))
         if "load" in by:
             slopes, numbers = _by_masses(names, slopes, numbers)
-        return Gradient(of, names, slopes, found.status.copy(), tuple(np.moveaxis(values * sizes, -1, 0)), numbers)
+        return Gradient(of, names, slopes, found.status.copy(), tuple(np.moveaxis(values * size_of, -1, 0)), numbers)
+
+
+class ManyScales(Scales):
+    """The scales of many mounts: arrays that broadcast, NaN where these are not > 0."""
+
+    def __post_init__(self) -> None:
+        with np.errstate(all="ignore"):
+            base = {name: np.asarray(getattr(self, name), dtype=float) for name in BASE}
+            made = (np.isfinite(value) & (value > 0) for value in (*base.values(), *sizes(**base).values()))
+            allowed = functools.reduce(np.logical_and, made)
+        self.__dict__.update({name: np.where(allowed, value, np.nan) for name, value in base.items()})
+
+    def of(self, scale: Scale) -> Any:
+        return size(scale, m=self.m, k_v=self.k_v, L=self.L)
+
+    def over(self, name: str, value: Any, domain: Parameter, scale: Scale) -> Any:
+        """Make the numbers of mounts dimensionless; those outside the domain are no designs."""
+        with np.errstate(all="ignore"):
+            return np.asarray(value, dtype=float) / self.of(scale)
+
+    def unit(self, name: str) -> str:
+        """Return "": a number in a message would have as many values as there are mounts."""
+        return ""
+
+    @functools.cached_property
+    def by_entry(self) -> Self:
+        """The scales with one more axis, of places or rows."""
+        base: Any = {name: getattr(self, name)[..., np.newaxis] for name in BASE}
+        return dataclasses.replace(self, **base)
 
 
 def _by_masses(names: tuple[str, ...], slopes: Floats, numbers: tuple[Any, ...]) -> tuple[Floats, tuple[Any, ...]]:

@@ -143,7 +143,7 @@ class Columns:
     branch: Sizes = _column("number of the connected curve, from 0; -1 after the last point", none=-1)
     isola: Codes = _column("1 where that curve is closed")
     points: Counts = _column("number of points")
-    fold_Omega: Floats = _column("frequency of a fold", "frequency")
+    fold_Omega: Floats = _column("frequency of a fold", "frequency", "fold_f")
     fold_A: Floats = _column("amplitude of a fold", "length")
     fold_kind: Codes = _column("kind of fold")
     count: Codes = _column("number of entries, also where these exceed places, or number proved")

@@ -120,7 +120,7 @@ class Batch(Answer, OfDesigns):
 
         numbers = [name for name, value in self._values.items() if value.dtype == float]
         values = np.asarray(getattr(self, validate.choice("of", of, tuple(numbers))))
-        return pictures.design_map(ax, *self._designs.spanned(x, y, of, values, self._asked_at()))
+        return pictures.design_map(ax, *spanned({**self._designs.values, **self._asked_at()}, x, y, of, values))
 
     # ---- tables
 
@@ -134,20 +134,7 @@ class Batch(Answer, OfDesigns):
         design;
         their folds are columns of `saddle_nodes`.
         """
-        shape = self.status.shape
-        numbers = {**self._designs.values, **self._asked_at()}
-        if "point" in self.inner.values():
-            here = ~np.isnan(self.A)
-            several = {name: np.asarray(value)[..., np.newaxis] for name, value in numbers.items()}
-            found = {name: np.broadcast_to(value, self.A.shape)[here] for name, value in several.items()}
-            return found | {name: self._values[name][here] for name, axis in self.inner.items() if axis == "point"}
-        found = {name: np.broadcast_to(value, shape).ravel() for name, value in numbers.items()}
-        for name, value in self._values.items():
-            if value.ndim == len(shape):
-                found[name] = value.ravel()
-            else:
-                found |= {f"{name}_{k}": place.ravel() for k, place in enumerate(np.moveaxis(value, -1, 0))}
-        return found
+        return in_rows({**self._designs.values, **self._asked_at()}, self._values, self.inner)
 
     def to_xarray(self) -> Any:
         """Make a Dataset with dimensions "design_0" and so on; parameters, F_0 and Omega are coordinates.
@@ -155,19 +142,8 @@ class Batch(Answer, OfDesigns):
         Several entries of an answer are an additional dimension. All units are "1", dimensionless. Raises ImportError
         without xarray.
         """
-        xarray = optional("xarray", "to_xarray")
-        shape = self.status.shape
-        designs = tuple(f"design_{k}" for k in range(len(shape)))
-        if "row" in self.inner.values():
-            designs = (*designs[:-1], "row")
         numbers = {**self._designs.values, **self._asked_at()}
-        units = {"units": "1"}
-        coordinates = {name: (designs, np.broadcast_to(value, shape), units) for name, value in numbers.items()}
-        found = {
-            name: ((*designs, self.inner[name]) if value.ndim > len(shape) else designs, value, units)
-            for name, value in self._values.items()
-        }
-        return xarray.Dataset(found, coords=coordinates, attrs={"mechanism": self._designs.mechanism.name})
+        return in_dataset(numbers, self._values, self.inner, {}, {"mechanism": self._designs.mechanism.name})
 
     def about(self) -> dict[str, Any]:
         """Return the mechanism, the shape of the designs, and where friction acts if not throughout."""
@@ -319,6 +295,73 @@ class Batch(Answer, OfDesigns):
         with np.errstate(all="ignore"):  # empty places
             flow = self._designs._flow.each(lambda number: number[..., np.newaxis])
             return flow, flow.averaged(self.A)[0]
+
+
+def in_rows(
+    numbers: Mapping[str, Any], values: Mapping[str, npt.NDArray[Any]], inner: Mapping[str, str]
+) -> dict[str, npt.NDArray[Any]]:
+    """Columns with a row for each design, or for each point of a curve, from parameters and from columns of an answer.
+
+    inner -- which columns have an additional axis after those of the designs, and its name
+    """
+    shape = values["status"].shape
+    if "point" in inner.values():
+        here = ~np.isnan(values["A"])
+        several = {name: np.asarray(value)[..., np.newaxis] for name, value in numbers.items()}
+        found = {name: np.broadcast_to(value, here.shape)[here] for name, value in several.items()}
+        return found | {name: values[name][here] for name, axis in inner.items() if axis == "point"}
+    found = {name: np.broadcast_to(value, shape).ravel() for name, value in numbers.items()}
+    for name, value in values.items():
+        if value.ndim == len(shape):
+            found[name] = value.ravel()
+        else:
+            found |= {f"{name}_{k}": place.ravel() for k, place in enumerate(np.moveaxis(value, -1, 0))}
+    return found
+
+
+def in_dataset(
+    numbers: Mapping[str, Any],
+    values: Mapping[str, npt.NDArray[Any]],
+    inner: Mapping[str, str],
+    units: Mapping[str, str],
+    attributes: Mapping[str, Any],
+) -> Any:
+    """A Dataset of these columns, with the parameters as coordinates; without a unit they are dimensionless."""
+    xarray = optional("xarray", "to_xarray")
+    shape = values["status"].shape
+    designs = tuple(f"design_{k}" for k in range(len(shape)))
+    if "row" in inner.values():
+        designs = (*designs[:-1], "row")
+    of = {name: {"units": units.get(name, "1")} for name in (*numbers, *values)}
+    coordinates = {name: (designs, np.broadcast_to(value, shape), of[name]) for name, value in numbers.items()}
+    found = {
+        name: ((*designs, inner[name]) if value.ndim > len(shape) else designs, value, of[name])
+        for name, value in values.items()
+    }
+    return xarray.Dataset(found, coords=coordinates, attrs=attributes)
+
+
+def spanned(
+    known: Mapping[str, Any], x: str, y: str, of: str, values: Floats
+) -> tuple[tuple[str, Floats], tuple[str, Floats], tuple[str, Floats]]:
+    """Two parameters that span the designs, and values over these, each with its name, for a map."""
+    if values.ndim != 2 or x == y:
+        raise Refused(f"{of} over {x!r} and {y!r} is not a map: the batch must have two axes, spanned by them")
+    spread = {name: np.broadcast_to(np.asarray(value, dtype=float), values.shape) for name, value in known.items()}
+    lines = {}
+    for name in (x, y):
+        array = spread[validate.choice("a parameter of the map", name, tuple(spread))]
+        axis = 1 if np.array_equal(array, np.broadcast_to(array[:1], values.shape), equal_nan=True) else 0
+        line = array[0] if axis == 1 else array[:, 0]
+        if not np.array_equal(array, np.broadcast_to(line if axis else line[:, np.newaxis], values.shape)):
+            raise Refused(f"{name} is not an axis of the map: it varies along both axes of the batch")
+        lines[name] = axis, np.asarray(line)
+    if lines[x][0] == lines[y][0]:
+        raise Refused(f"{x} and {y} vary along the same axis of the batch, or one of them does not vary")
+    for name, value in spread.items():
+        if name not in lines and not np.all((value == value.flat[0]) | np.isnan(value)):
+            raise Refused(f"{name} varies too: a map is over two parameters")
+    return (x, lines[x][1]), (y, lines[y][1]), (of, values if lines[x][0] == 1 else values.T)
 
 
 #: questions about states

@@ -406,29 +406,6 @@ class Designs(Unchanging, ManyQuestions[Batch]):
                 force = inertia.force(np.where(np.asarray(A) > 0, Omega, np.inf), force)
             return diagnostics.of_designs(self._flow, force, Omega, A, corner)
 
-    def spanned(
-        self, x: str, y: str, of: str, values: Floats, extra: dict[str, Any]
-    ) -> tuple[tuple[str, Floats], tuple[str, Floats], tuple[str, Floats]]:
-        """Two parameters that span the designs, and values over these, each with its name, for a map."""
-        known = {**self.values, **extra}
-        if values.ndim != 2 or x == y:
-            raise Refused(f"{of} over {x!r} and {y!r} is not a map: the batch must have two axes, spanned by them")
-        spread = {name: np.broadcast_to(np.asarray(value, dtype=float), values.shape) for name, value in known.items()}
-        lines = {}
-        for name in (x, y):
-            array = spread[validate.choice("a parameter of the map", name, tuple(spread))]
-            axis = 1 if np.array_equal(array, np.broadcast_to(array[:1], values.shape), equal_nan=True) else 0
-            line = array[0] if axis == 1 else array[:, 0]
-            if not np.array_equal(array, np.broadcast_to(line if axis else line[:, np.newaxis], values.shape)):
-                raise Refused(f"{name} is not an axis of the map: it varies along both axes of the batch")
-            lines[name] = axis, np.asarray(line)
-        if lines[x][0] == lines[y][0]:
-            raise Refused(f"{x} and {y} vary along the same axis of the batch, or one of them does not vary")
-        for name, value in spread.items():
-            if name not in lines and not np.all((value == value.flat[0]) | np.isnan(value)):
-                raise Refused(f"{name} varies too: a map is over two parameters")
-        return (x, lines[x][1]), (y, lines[y][1]), (of, values if lines[x][0] == 1 else values.T)
-
     def ask(
         self, question: Question, workers: int, F_0: Any = None, places: int = 0, Omega: Any = None
     ) -> list[npt.NDArray[Any]]:

@@ -10,7 +10,7 @@ import inspect
 import math
 import os
 import sys
-from collections.abc import Callable, Iterable, Mapping, Set
+from collections.abc import Callable, Iterable, Mapping, Sequence, Set
 from numbers import Real
 from typing import Any, ParamSpec, TypeGuard, TypeVar
 
@@ -186,18 +186,21 @@ def meant(word: Any, known: Iterable[str]) -> str:
     return f". Did you mean {near[0]!r}?" if near else ""
 
 
+def known_arguments(function: Callable[..., Any], named: Iterable[str], known: Sequence[str]) -> None:
+    """Refuse an argument that a function does not know, with those that there are and the nearest."""
+    for name in named:
+        if name not in known:
+            allowed, called = f"{', '.join(known)}{meant(name, known)}", function.__qualname__
+            raise WrongType(f"{called.removesuffix('.__init__')} has no argument {name!r}: it must be one of {allowed}")
+
+
 def asked_by_name(function: Callable[P, R]) -> Callable[P, R]:
     """The same function, which says of an argument that it does not know which ones there are, and which is nearest."""
     known = [name for name in inspect.signature(function).parameters if name not in ("self", "cls")]
 
     @functools.wraps(function)
     def wrapper(*args: P.args, **named: P.kwargs) -> R:
-        for name in named:
-            if name not in known:
-                allowed, called = f"{', '.join(known)}{meant(name, known)}", function.__qualname__
-                raise WrongType(
-                    f"{called.removesuffix('.__init__')} has no argument {name!r}: it must be one of {allowed}"
-                )
+        known_arguments(function, named, known)
         return function(*args, **named)
 
     return wrapper

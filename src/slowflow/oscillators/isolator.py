@@ -6,10 +6,11 @@
 from __future__ import annotations
 
 import dataclasses
-import math
 import warnings
 from collections.abc import Mapping
 from typing import Any
+
+import numpy as np
 
 from slowflow.answers.quantities import EXCITED, SHEET, Scales, g, si
 from slowflow.core import validate
@@ -27,7 +28,7 @@ from slowflow_kernels.scaling import SCALES
 ROD_SPRING: Mechanism = rod_spring.MECHANISM
 DUFFING: Mechanism = duffing.MECHANISM
 #: of the numbers of a design and of its damping, by name
-DOMAINS = {domain.name: domain for domain in (*ROD_SPRING.design, *DAMPING, *DISSIPATION)}
+DOMAINS = {domain.name: domain for domain in (*ROD_SPRING.design, *DUFFING.design, *DAMPING, *DISSIPATION)}
 
 
 NEGATIVE = (
@@ -55,6 +56,29 @@ def _numbers(scales: Scales, known: Mapping[str, Any]) -> dict[str, Any]:
     return {
         name: scales.over(word, known[word], DOMAINS[name], scale) for name, (word, scale) in measured if word in known
     }
+
+
+def _of_rods(
+    known: Mapping[str, Any], of: type[Scales], *, mounts: int = 1, **settings: str
+) -> tuple[Scales, dict[str, Any]]:
+    """The scales of an isolator, or of many, and their dimensionless numbers, from a data sheet in SI units."""
+    moving = known.get("load", known["m"])
+    scales = of(m=moving, k_v=mounts * known["k_v"], L=known["L"], mounts=mounts, sheet=known, **settings)
+    numbers = _numbers(scales, known)
+    if "load" in known:
+        numbers["load"] = (scales.m - known["m"]) * g / scales.sizes["force"]
+    return scales, numbers
+
+
+def _of_cubic(known: Mapping[str, Any], of: type[Scales], **settings: str) -> tuple[Scales, dict[str, Any]]:
+    """The same of cubic springs: L makes both terms 1 at x = L; where there is one term only, it is 1 m."""
+    k_1, k_3 = (np.asarray(known[name], dtype=float) for name in ("k_1", "k_3"))
+    with np.errstate(all="ignore"):
+        L = np.where((k_1 != 0) & (k_3 != 0), np.sqrt(np.abs(k_1 / k_3)), 1.0)
+        k_v = np.where(k_1 != 0, np.abs(k_1), np.abs(k_3) * L**2)
+    base: dict[str, Any] = {"k_v": k_v[()], "L": L[()], **settings}
+    scales = of(m=known["m"], sheet=known, **base)
+    return scales, _numbers(scales, known)
 
 
 class Isolator(Oscillator):
@@ -201,30 +225,27 @@ class Isolator(Oscillator):
             For a number outside its domain, for combinations of damping laws as in `Isolator`, and for a load with
             rubs="attached", for which offset motions are not derived.
         """
-        moving = m if load is None else validate.number("load", si("load", load, "kg"), above=0.0)
         excitation = validate.excitation(excitation, tuple(EXCITED))
         mounts = validate.count("mounts", mounts, least=1)
-        of_all = mounts * validate.number("k_v", si("k_v", k_v, "N/m"), above=0.0)
         (damping,) = viscous = _viscous(c, zeta)
-        scales = Scales(m=moving, k_v=of_all, L=L, excitation=excitation, damping=damping, mounts=mounts)
-        preset = validate.number("m", si("m", m, "kg"), above=0.0)
-        beyond = scales.m - preset
         sheet = {"k_h": k_h, "n": n, "preload": preload, "friction": friction, "eta": eta, "c_2": c_2}
-        sheet |= {"c_3": c_3, "c_xx": c_xx, **viscous}
+        sheet |= {"c_3": c_3, "c_xx": c_xx, "L": L, **viscous}
         known = {name: si(name, value, SHEET[name]) for name, value in sheet.items()}
-        numbers = _numbers(scales, known)
+        above_0 = {"m": m, "k_v": k_v, **({} if load is None else {"load": load})}
+        known |= {
+            name: validate.number(name, si(name, value, SHEET[name]), above=0.0) for name, value in above_0.items()
+        }
+        scales, numbers = _of_rods(known, Scales, excitation=excitation, damping=damping, mounts=mounts)
         mu_s, mu = 0.0, numbers["mu"]
         if static_friction is not None:
             static_force = si("static_friction", static_friction, "N")
             static = validate.number("static_friction", static_force, least=known["friction"])
             mu_s = max(mu, static * mounts / scales.of(SCALES["mu"]))
         laws = Laws.of(rubs, **numbers)
-        weight = beyond * g / scales.sizes["force"]
-        numbers |= {"mu_s": mu_s, "load": weight}
         with scales.in_these_terms():
-            isolator = cls(force=force, excitation=scales.of_oscillator, rubs=laws.rubs, **numbers)
-        sheet = {"k_v": of_all / mounts, "L": scales.L} | {name: float(known[name]) for name in ("k_h", "n", "preload")}
-        others = {"m": max(scales.m, scales.m - beyond) / mounts, "zeta": isolator.zeta}
+            isolator = cls(force=force, excitation=scales.of_oscillator, rubs=laws.rubs, mu_s=mu_s, **numbers)
+        sheet = {"k_v": known["k_v"], "L": scales.L} | {name: float(known[name]) for name in ("k_h", "n", "preload")}
+        others = {"m": max(scales.m, known["m"]) / mounts, "zeta": isolator.zeta}
         others |= {"friction": mu * scales.sizes["force"] / mounts}
         range_checks.warn(range_checks.of_mount(**sheet, **others, g=g), stacklevel=3)
         arguments = {"m": m, "k_v": k_v, "k_h": k_h, "n": n, "L": L, "preload": preload, "friction": friction}
@@ -236,6 +257,8 @@ class Isolator(Oscillator):
         arguments |= {"load": load, "force": force, "excitation": excitation}
         in_si = {name: si(name, value, SHEET[name]) for name, value in arguments.items() if value is not None}
         return Physical(isolator, dataclasses.replace(scales, sheet=in_si), arguments)
+
+    _of_sheet = staticmethod(_of_rods)
 
     @classmethod
     @validate.asked_by_name
@@ -344,19 +367,18 @@ class Duffing(Oscillator):
         """
         (damping,) = viscous = _viscous(c, zeta)
         springs = {"k_1": k_1, "k_3": k_3}
-        k_1, k_3 = (validate.number(name, si(name, value, SHEET[name])) for name, value in springs.items())
-        L = math.sqrt(abs(k_1 / k_3)) if k_1 and k_3 else 1.0  # what makes both terms 1
-        if not (k_v := abs(k_1) or abs(k_3) * L**2):
-            raise Refused("k_1 = k_3 = 0 is not allowed: there is no spring")
-        excitation = validate.excitation(excitation, tuple(EXCITED))
-        scales = Scales(m=m, k_v=k_v, L=L, excitation=excitation, damping=damping)
         laws = {"friction": friction, "eta": eta, "c_2": c_2, "c_3": c_3, "c_xx": c_xx, **viscous}
-        arguments = {"m": m, **springs, **laws, "excitation": excitation}
+        arguments = {"m": m, **springs, **laws, "excitation": validate.excitation(excitation, tuple(EXCITED))}
         in_si = {name: si(name, value, SHEET[name]) for name, value in arguments.items()}
-        laws_of = _numbers(scales, in_si)
+        in_si |= {name: validate.number(name, in_si[name]) for name in springs}
+        if not any(in_si[name] for name in springs):
+            raise Refused("k_1 = k_3 = 0 is not allowed: there is no spring")
+        scales, numbers = _of_cubic(in_si, Scales, excitation=excitation, damping=damping)
         with scales.in_these_terms():
-            oscillator = cls(k_1 / k_v, k_3 * L**2 / k_v, excitation=scales.of_oscillator, **laws_of)
-        return Physical(oscillator, dataclasses.replace(scales, sheet=in_si), arguments)
+            oscillator = cls(excitation=scales.of_oscillator, **numbers)
+        return Physical(oscillator, scales, arguments)
+
+    _of_sheet = staticmethod(_of_cubic)
 
     @classmethod
     @validate.asked_by_name

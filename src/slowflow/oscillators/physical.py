@@ -17,14 +17,14 @@ from typing import TYPE_CHECKING, Any, cast
 import numpy as np
 
 from slowflow.answers.answer import joined
-from slowflow.answers.quantities import DENSITIES, DRAWN, EXCITED, OF_A_BASE, SI, UNITS, Quantities, Scales, g, si
-from slowflow.answers.table import QUANTITIES
+from slowflow.answers.quantities import DRAWN, SI, UNITS, Quantities, Scales, g, si
 from slowflow.averaged.plan import Plan
 from slowflow.core import validate
 from slowflow.core.mechanism import Floats
 from slowflow.oscillators import range_checks
+from slowflow.oscillators.arguments import PLAIN, REMARKS, Excited, density, window
 from slowflow.oscillators.measurements import Columns
-from slowflow.support.errors import OutOfRange, Refused, WrongType
+from slowflow.support.errors import OutOfRange, Refused
 from slowflow.support.text import in_units
 
 if TYPE_CHECKING:
@@ -32,11 +32,8 @@ if TYPE_CHECKING:
 
     from slowflow.answers import physical_answers as answers
     from slowflow.answers.physical_answers import Amplitude, Number, Numbers, Window
+    from slowflow.oscillators.physical_designs import PhysicalDesigns
 
-#: dimensionless names by those in SI units, where these differ
-PLAIN = {column.si: column.name for column in QUANTITIES.values() if column.si}
-#: warnings of numbers that look as if they were in another unit
-REMARKS = {"f": range_checks.of_frequency, "duration": range_checks.of_duration}
 #: meaning of A for a motion with a mean displacement
 LARGEST = "A is the largest |x|, the mean displacement included: x_max of an averaged motion"
 
@@ -48,7 +45,7 @@ def _takes(question: Any) -> Mapping[str, inspect.Parameter]:
 
 
 @dataclass(frozen=True, repr=False)
-class Physical:
+class Physical(Excited):
     """An oscillator in SI units: arguments and answers have forces in N, frequencies f in Hz, lengths in m.
 
     A question takes the amplitude of the excitation as its first argument, or by name: a force F in N, the displacement
@@ -74,11 +71,42 @@ class Physical:
 
     def replace(self, **changes: Any) -> Physical:
         """Return a copy with some of its arguments changed, by name."""
-        kept = dict(self.given)
-        for one, other in (("c", "zeta"), ("zeta", "c")):  # they say the same
-            if one in changes:
-                kept.pop(other, None)
-        return type(self.oscillator).physical(**{**kept, **changes})
+        return self._kind.physical(**self._changed(changes))
+
+    def many(self, **changes: Any) -> PhysicalDesigns:
+        """Make a batch of mounts: some of the data are replaced by arrays that broadcast, the others are this mount's.
+
+        Parameters
+        ----------
+        **changes : array_like
+            Data by the names of `Isolator.physical` or `Duffing.physical`, in SI units; `mounts`, `rubs`, `force` and
+            `excitation` are the same for all mounts. Arrays of xarray or dask make a map over named axes.
+
+        Returns
+        -------
+        PhysicalDesigns
+            The same questions, with arrays as arguments; a mount without a result has a status.
+
+        Raises
+        ------
+        ValueError
+            For arguments that are not real arrays, for shapes that do not broadcast, and with static friction.
+        """
+        from slowflow.oscillators.physical_designs import PhysicalDesigns
+
+        sheet = self._changed(changes)
+        validate.known_arguments(self._kind.physical, sheet, tuple(inspect.signature(self._kind.physical).parameters))
+        return PhysicalDesigns(self._kind, sheet, hasattr(self.oscillator, "first"))
+
+    @property
+    def _kind(self) -> Any:
+        """The class of the oscillator."""
+        return type(getattr(self.oscillator, "first", self.oscillator))
+
+    def _changed(self, changes: Mapping[str, Any]) -> dict[str, Any]:
+        """The arguments that it was made from, some of them changed; c and zeta say the same."""
+        replaced = {one: other for one, other in (("c", "zeta"), ("zeta", "c")) if other in changes}
+        return {**{name: value for name, value in self.given.items() if name not in replaced}, **changes}
 
     def at_rest(self) -> answers.AtRest:
         """Compute the data of a data sheet: natural frequencies, stiffness, stroke, loads, friction.
@@ -433,17 +461,9 @@ class Physical:
             .x_rms in m, .v_rms in m/s, .a_rms in m/s^2, .f_e in Hz, .stiffness in N/m and .damping in N s/m of the
             equivalent linear oscillator, .beyond and .crossing_rate in 1/s of the stroke; shape (motions,).
         """
-        if isinstance(psd, Columns):
-            if missing := {"f", "G"} - psd.keys():
-                raise Refused(f"psd needs the columns f and G: {min(missing)} is missing")
-            unit, psd = psd.units.get("G", unit), (psd["f"], psd["G"])
-        of_unit, kind = DENSITIES[validate.choice("unit", unit, tuple(DENSITIES))]
-        f, G = validate.two_rows("psd", psd, "frequencies in Hz and densities")
-        sizes = self.scales.sizes
-        at = validate.positive_array("f", si("f", f, "Hz")) / sizes["frequency"]
-        density = validate.positive_array("G", G) * (of_unit / sizes[kind]) ** 2 * sizes["frequency"]
+        table = density(self.scales, psd, unit)
         with self.scales.in_these_terms():
-            found = self.oscillator.random(psd=(at, density))
+            found = self.oscillator.random(psd=table)
         return cast("answers.Random", self.scales.quantities(found))
 
     def margins(self, amplitude: Number | None = None, /, **at: Unpack[Amplitude[Number]]) -> answers.One:
@@ -512,8 +532,8 @@ class Physical:
         found = [(curve.in_units(), folds.in_units()) for curve, folds in answers]
         drawn = pictures.height(found[0][0]) if of == "A" else of
         ax = pictures.responses(ax, found, drawn)
-        window = validate.WINDOW if f is None else self._window(f)
-        pictures.window(ax, *(end * self.scales.sizes["frequency"] for end in window))
+        ends = validate.WINDOW if f is None else window(self.scales, f)
+        pictures.window(ax, *(end * self.scales.sizes["frequency"] for end in ends))
         if of == "A":
             length = self.scales.sizes["length"] / UNITS["length"]["mm"]
             pictures.breakpoints(ax, [length * end for end in self.oscillator.breakpoints], "x")
@@ -553,27 +573,13 @@ class Physical:
 
     # ---- arguments
 
-    def _excited(self, amplitude: Any, at: Mapping[str, Any]) -> tuple[Physical, Any]:
-        """The mount whose excitation an amplitude is of, and that amplitude; base excitation takes a or Y."""
-        if amplitude is not None and not at:
-            return self, amplitude
-        own = self.scales.excitation
-        allowed = OF_A_BASE if own in OF_A_BASE else (own,)
-        for one in allowed:
-            if amplitude is None and at.keys() == {letter := EXCITED[one][0]}:
-                return (self if one == own else self._by_other_base), at[letter]
-        known = " or ".join(f"{letter} in {SI[kind]}" for letter, kind in map(EXCITED.__getitem__, allowed))
-        found = ", ".join((*([] if amplitude is None else [EXCITED[own][0]]), *at)) or "none"
-        raise WrongType(f"the amplitude of the excitation is needed once, {known}: got {found}")
-
     @functools.cached_property
     def _by_other_base(self) -> Physical:
         """The same mount under its base's acceleration in place of its displacement, or the other way round."""
-        (other,) = {*OF_A_BASE} - {self.scales.excitation}
-        scales, of = dataclasses.replace(self.scales, excitation=other), self.oscillator
+        scales, of = dataclasses.replace(self.scales, excitation=self._other_base), self.oscillator
         oscillator = getattr(of, "first", of).replace(excitation=scales.of_oscillator)
         oscillator = oscillator.second_approximation if hasattr(of, "first") else oscillator
-        return Physical(oscillator, scales, {**self.given, "excitation": other})
+        return Physical(oscillator, scales, {**self.given, "excitation": self._other_base})
 
     def _answer(
         self, question: str, amplitude: Any = None, at: Mapping[str, Any] | None = None, /, **arguments: Any
@@ -601,7 +607,7 @@ class Physical:
             if value is None and takes[plain].default is not inspect.Parameter.empty:
                 continue
             if kind and takes[plain].annotation.startswith("tuple"):
-                value = self._window(value)
+                value = window(self.scales, value)
             elif kind:
                 value = self._number(shown, value, kind, several=not takes[plain].annotation.startswith("float"))
             at[plain] = value
@@ -623,9 +629,3 @@ class Physical:
         if name in REMARKS and np.size(found):
             range_checks.warn(REMARKS[name](float(np.max(found)) * size, self.scales.sizes["frequency"]), stacklevel=5)
         return found
-
-    def _window(self, f: Any) -> tuple[float, float]:
-        """A window of frequencies, dimensionless."""
-        low, high = validate.pair("f", f, "of frequencies (low, high)")
-        low, high = validate.window("f", (si("f[0]", low, "Hz"), si("f[1]", high, "Hz")))
-        return low / self.scales.sizes["frequency"], high / self.scales.sizes["frequency"]

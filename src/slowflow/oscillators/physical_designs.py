@@ -1,0 +1,413 @@
+"""Many mounts in newtons, metres and hertz. Takes data sheets of arrays; returns the answers of all in SI units.
+
+The questions are the rows of the table that a single mount has too, with its names of their arguments.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import functools
+import inspect
+from collections.abc import Callable, Mapping
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import numpy.typing as npt
+
+from slowflow.answers.answer import frozen
+from slowflow.answers.gradient import Gradient
+from slowflow.answers.physical_answers import Many
+from slowflow.answers.quantities import BASE, SHEET, SI, ManyScales, Quantities, Scales, si
+from slowflow.answers.table import QUANTITIES, QUESTIONS, ManyQuestions, Question
+from slowflow.averaged.batches import Batch, in_dataset, in_rows, spanned
+from slowflow.core import validate
+from slowflow.core.mechanism import Floats
+from slowflow.oscillators import range_checks
+from slowflow.oscillators.arguments import PLAIN, REMARKS, Excited, density, window
+from slowflow.support.immutable import Unchanging
+
+if TYPE_CHECKING:
+    from typing import Protocol, Unpack
+
+    from slowflow.answers.physical_answers import Amplitude, Number, Numbers, Window
+    from slowflow.oscillators.measurements import Columns
+
+    # the questions as a type checker knows them: `_asked` makes them of the table, which refuses further options
+    class OfMounts(Protocol):
+        def __call__(self, *, places: int = 3, workers: int = 1) -> ManyQuantities: ...
+
+    class AtAmplitudes(Protocol):
+        def __call__(
+            self,
+            amplitude: Numbers | None = None,
+            /,
+            *,
+            f: Numbers | Window | None = None,
+            level_dB: Numbers = 0.0,
+            samples: int = 1000,
+            places: int = 6,
+            workers: int = 1,
+            **at: Unpack[Amplitude[Numbers]],
+        ) -> ManyQuantities: ...
+
+    class AtTones(Protocol):
+        def __call__(
+            self, *, f: Numbers, places: int = 6, workers: int = 1, **at: Unpack[Amplitude[Numbers]]
+        ) -> ManyQuantities: ...
+
+    class Shocks(Protocol):
+        def __call__(
+            self,
+            *,
+            acceleration: Numbers,
+            duration: Numbers | None = None,
+            t: Numbers | None = None,
+            after: Number | None = None,
+            workers: int = 1,
+        ) -> ManyQuantities: ...
+
+    class Vibration(Protocol):
+        def __call__(
+            self, *, psd: tuple[Numbers, Numbers] | Columns, unit: str = "g^2/Hz", places: int = 3, workers: int = 1
+        ) -> ManyQuantities: ...
+
+
+#: data that are the same for all mounts
+SETTINGS = ("mounts", "rubs", "force", "excitation")
+#: a density that has no customary unit
+WHITE_NOISE = "S_0"
+#: of a batch's answers in SI units what is computed when it is read, and has no unit
+WHEN_READ = ("phi", "transmissibility", "transmissibility_dB")
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class ManyQuantities(Quantities, Many):
+    """The answer to one question about many mounts in SI units; its columns are attributes of the mounts' shape.
+
+    answer  -- the dimensionless `Batch`
+    numbers -- the data of the mounts and the arguments of the question, arrays by name
+
+    Columns with an additional axis, of entries, points or rows, and statuses are those of the `Batch`.
+    """
+
+    numbers: Mapping[str, Any] = dataclasses.field(default_factory=dict, repr=False)
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        self.__dict__.update(numbers=MappingProxyType(dict(self.numbers)), has_rows=True)
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self.answer, name) if name in WHEN_READ else super().__getattr__(name)
+
+    @property
+    def remarks(self) -> npt.NDArray[np.uint16]:
+        """Diagnostics of each mount's answer, flags of `slowflow.Remark` that add up."""
+        return np.asarray(self.answer.remarks)
+
+    @property
+    def untruncated(self) -> Floats:
+        """The onset of the untruncated force where the onset lies on a corner due to the truncation alone; else NaN."""
+        assert self.scales is not None
+        return np.asarray(self.answer.untruncated * self.scales.sizes[self.scales.amplitude])
+
+    @property
+    def inner(self) -> Mapping[str, str]:
+        """Which columns have an additional axis after those of the mounts, and its name."""
+        return {self._shown(name): axis for name, axis in self.answer.inner.items()}
+
+    def _shown(self, name: str) -> str:
+        assert self.scales is not None
+        return self.scales.symbol(name)
+
+    def columns(self) -> dict[str, Any]:
+        """A row for each mount, or for each point of its curve: its data, then the numbers of the answer."""
+        return in_rows(self.numbers, self.values, self.inner)
+
+    def about(self) -> dict[str, Any]:
+        """Return the mechanism and the shape of the mounts."""
+        return dict(self.answer.about())
+
+    def to_xarray(self) -> Any:
+        """Make a Dataset with dimensions "design_0" and so on and units; data and arguments are coordinates."""
+        return in_dataset(self.numbers, self.values, self.inner, self._units(), self.about())
+
+    def units_of_columns(self) -> Mapping[str, str]:
+        """Units of the columns, by name; entries of one column are numbered."""
+        found, inner = self._units(), self.inner
+        for name in self.units.keys() & inner.keys():
+            if inner[name] == "place":
+                found |= {f"{name}_{k}": found[name] for k in range(self.values[name].shape[-1])}
+        return found
+
+    def _units(self) -> dict[str, str]:
+        """Of the columns, the data and the arguments."""
+        assert self.scales is not None
+        of_arguments = {self._shown(name): SI.get(self.scales.kind(name)[1], "") for name in self.answer.asked}
+        found = {name: SHEET.get(name, "") for name in self.numbers} | of_arguments
+        return {name: unit for name, unit in (found | dict(self.units)).items() if unit}
+
+    def gradient(self) -> Gradient:
+        """Differentiate the numbers of each mount's answer with respect to its data, in SI units.
+
+        `.slopes` have shape (..., numbers, parameters), after the shape of the columns. Raises ValueError as `gradient`
+        of a single mount's answer.
+        """
+        assert isinstance(self.scales, ManyScales)
+        found = self.answer.gradient()
+        scales = self.scales.by_entry if found.status.ndim > np.ndim(self.status) else self.scales
+        return scales.gradient(found)
+
+    def plot_map(self, x: str, y: str, of: str, ax: Any = None) -> Any:
+        """Plot a number of each mount over two of the data, in SI units; see `Batch.plot_map`."""
+        from slowflow.answers import pictures
+
+        known = tuple(name for name, value in self.values.items() if value.dtype == float)
+        values = self.values[validate.choice("of", of, known)]
+        return pictures.design_map(ax, *spanned(self.numbers, x, y, of, values))
+
+
+class PhysicalDesigns(Excited, Unchanging):
+    """Many mounts in SI units: data and arguments are arrays that broadcast, answers are `ManyQuantities`.
+
+    Made by `mount.many(k_h=..., m=...)`. The questions are those of the mount that `Isolator.many` has too, with the
+    mount's arguments, each a number or an array, and with the options of the batch:
+
+    places  -- largest number of entries per mount, along an additional axis
+    workers -- threads that share the mounts, -1 for one per processor
+
+    A mount without a result raises nothing: `.status` has the reason. Mounts of different m, k_v or L that are asked
+    about one window of frequencies, one spectral density or one duration in seconds are asked one after another.
+    Arrays of xarray or dask make a map over named axes: answers are Datasets with units, see `store`.
+
+    values -- the data of the mounts by name, in SI units
+    settings -- data that are the same for all
+    """
+
+    values: Mapping[str, Any]
+    settings: Mapping[str, Any]
+    second: bool
+    _kind: Any
+
+    if TYPE_CHECKING:
+        detachment: OfMounts
+        saddle_node_onset: OfMounts
+        at_rest: OfMounts
+        rest: OfMounts
+        saddle_nodes: AtAmplitudes
+        hysteresis: AtAmplitudes
+        peak: AtAmplitudes
+        margins: AtAmplitudes
+        isolation: AtAmplitudes
+        certify: AtAmplitudes
+        frequency_response: AtAmplitudes
+        amplitudes: AtTones
+        spectrum: AtTones
+        transient: Shocks
+        shock_spectrum: Shocks
+        random: Vibration
+
+    def __init__(self, kind: Any, sheet: Mapping[str, Any], second: bool = False) -> None:
+        known = {name: value for name, value in sheet.items() if value is not None}
+        if "static_friction" in known:
+            raise validate.NotAvailable(
+                "static_friction is not available for many mounts: only exact motions of a single one use it"
+            )
+        settings = {name: known.pop(name) for name in SETTINGS if name in known}
+        values = {name: si(name, value, SHEET[name]) for name, value in known.items()}
+        if not any(map(validate.is_labelled, values.values())):
+            values = {name: validate.real_array(name, value) for name, value in values.items()}
+            validate.common_shape(values)
+        self.__dict__.update(_kind=kind, values=values, settings=settings, second=second)
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, PhysicalDesigns):
+            return NotImplemented
+        same = (self._kind, self.settings, self.second, *self.values) == (
+            other._kind,
+            other.settings,
+            other.second,
+            *other.values,
+        )
+        return same and all(
+            np.array_equal(value, other.values[name], equal_nan=True) for name, value in self.values.items()
+        )
+
+    def __hash__(self) -> int:
+        return hash((self._kind, self.second, *self.settings.items(), *self.values))
+
+    @functools.cached_property
+    def _made(self) -> tuple[ManyScales, dict[str, Any]]:
+        """The scales, and the dimensionless numbers."""
+        settings = {name: word for name, word in self.settings.items() if name in ("mounts", "excitation")}
+        damping = "c" if "c" in self.values else "zeta"
+        # under a load m is no scale: it must be a mass all the same
+        sheet = {**self.values, "m": np.where(self.values["m"] > 0, self.values["m"], np.nan)}
+        found: tuple[ManyScales, dict[str, Any]] = self._kind._of_sheet(sheet, ManyScales, damping=damping, **settings)
+        return found
+
+    @property
+    def scales(self) -> ManyScales:
+        """The scales that make numbers dimensionless (4), arrays: NaN where m, k_v or L is not > 0."""
+        return self._made[0]
+
+    @functools.cached_property
+    def designs(self) -> Any:
+        """The dimensionless designs."""
+        scales, numbers = self._made
+        settings = {name: word for name, word in self.settings.items() if name in ("rubs", "force")}
+        found = self._kind.many(**numbers, **settings, excitation=scales.of_oscillator)
+        return found.second_approximation if self.second else found
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """Of the data, as they broadcast."""
+        return validate.common_shape(dict(self.values))
+
+    @property
+    def second_approximation(self) -> PhysicalDesigns:
+        """The same questions with the higher harmonics of force and friction."""
+        return PhysicalDesigns(self._kind, {**self.values, **self.settings}, second=True)
+
+    @functools.cached_property
+    def _by_other_base(self) -> PhysicalDesigns:
+        sheet = {**self.values, **self.settings, "excitation": self._other_base}
+        return PhysicalDesigns(self._kind, sheet, self.second)
+
+    def _ask(self, question: str, /, **arguments: Any) -> ManyQuantities:
+        """The answer to a question of the table, from a mount's arguments in SI units; F_0 is the amplitude."""
+        row, method = QUESTIONS[question], getattr(self.designs, question)  # or the reason why there is none
+        one = self._one_scale() if any(_is_of_all(row, name) for name in arguments) else self.scales
+        if one is None:
+            return self._quantities(self._by_scale(row, arguments), arguments)
+        at = {PLAIN.get(name, name): self._plain(row, name, arguments, one) for name in arguments if name != "unit"}
+        with self.scales.in_these_terms():
+            return self._quantities(method(**at), arguments)
+
+    def _one_scale(self) -> Scales | None:
+        """The scales of all mounts; None where these differ."""
+        base = np.array([getattr(self.scales, name) for name in BASE]).reshape(len(BASE), -1)
+        allowed = base[:, ~np.isnan(base).any(axis=0)]
+        if allowed.size and (allowed != allowed[:, :1]).any():
+            return None
+        of_each = allowed[:, 0].tolist() if allowed.size else [1.0] * len(BASE)
+        return Scales(**dict(zip(BASE, of_each, strict=True)), excitation=self.scales.excitation)
+
+    def _plain(self, row: Question, name: str, arguments: Mapping[str, Any], one: Scales) -> Any:
+        """An argument, made dimensionless; by the scales of one mount where it is that of all."""
+        plain, value = PLAIN.get(name, name), arguments[name]
+        shown, kind = self.scales.kind(plain)
+        if _is_of_all(row, name):
+            if plain == "psd":
+                return density(one, value, arguments["unit"])
+            return window(one, value) if kind == "frequency" else si(shown, value, SI[kind]) / one.sizes[kind]
+        if not kind:
+            return value
+        axis = row.argument_axes.get(plain)
+        scales = self.scales.by_entry if axis == "row" or (axis and "t" in arguments) else self.scales
+        array, sizes = self._in_si(name, value), scales.sizes
+        validate.common_shape({"mounts": np.asarray(sizes[kind]), shown: array})
+        with np.errstate(all="ignore"):
+            found = array / sizes[kind]
+        if name in REMARKS and np.isfinite(found).any():
+            at = np.unravel_index(np.nanargmax(found), found.shape)
+            highest, f_n = (float(np.broadcast_to(one, found.shape)[at]) for one in (array, sizes["frequency"]))
+            range_checks.warn(REMARKS[name](highest, f_n), stacklevel=5)
+        return found
+
+    def _in_si(self, name: str, value: Any) -> npt.NDArray[Any]:
+        """Values of an argument, in SI units."""
+        shown, kind = self.scales.kind(PLAIN.get(name, name))
+        return validate.real_array(shown, si(shown, value, SI[kind]) if kind else value)
+
+    def _by_scale(self, row: Question, arguments: Mapping[str, Any]) -> Batch:
+        """The answers of the mounts of each scale, where an argument is that of all of them in SI units."""
+        own = [name for name in arguments if PLAIN.get(name, name) in (*row.takes, *row.may) and name != "psd"]
+        records = {name for name in own if "t" in arguments and PLAIN.get(name, name) in row.argument_axes}
+        values = {**self.values, **{name: self._in_si(name, arguments[name]) for name in own}}
+        shape = validate.common_shape({name: one[..., 0] if name in records else one for name, one in values.items()})
+        rows = {
+            name: np.broadcast_to(one, (*shape, *one.shape[-1:]) if name in records else shape)
+            for name, one in values.items()
+        }
+        base = np.stack([np.broadcast_to(getattr(self.scales, name), shape).ravel() for name in BASE], axis=-1)
+        _, scale = np.unique(np.nan_to_num(base), axis=0, return_inverse=True)
+        order = np.argsort(scale.ravel(), kind="stable")
+        columns: dict[str, Any] = {}
+        for some in np.split(order, np.flatnonzero(np.diff(scale.ravel()[order])) + 1):
+            at = np.unravel_index(some, shape)
+            mounts = PhysicalDesigns(
+                self._kind, {**{name: rows[name][at] for name in self.values}, **self.settings}, self.second
+            )
+            found = mounts._ask(row.name, **{**arguments, **{name: rows[name][at] for name in own}}).answer
+            for name, column in {**found._values, "remarks": found.remarks}.items():
+                columns.setdefault(name, np.empty((*shape, *column.shape[1:]), column.dtype))[at] = column
+        remarks, designs = columns.pop("remarks"), getattr(self.designs, "first", self.designs)
+        plain = {PLAIN.get(name, name): self._plain(row, name, arguments, self.scales) for name in own}
+        plain = {name: plain[name] for name in found.asked}
+        answer: Batch = type(found)(row.name, columns, designs, plain, found.system, remarks=remarks)
+        return answer
+
+    def _quantities(self, answer: Batch, arguments: Mapping[str, Any]) -> ManyQuantities:
+        """A dimensionless answer in SI units."""
+        scales, inner, values, units = self.scales, answer.inner, {}, {}
+        for name, column in answer._values.items():
+            shown, kind = scales.kind(name)
+            values[shown] = column
+            if kind:
+                sizes = (scales.by_entry if name in inner else scales).sizes
+                values[shown], units[shown] = frozen(column * sizes[kind]), SI[kind]
+        lift: Any = (..., np.newaxis) if "row" in inner.values() else ...
+        numbers = {name: value[lift] for name, value in self.values.items()}
+        for name in answer.asked:
+            shown = scales.symbol(name)
+            of_mounts = "F_0" if name == "F_0" else shown
+            numbers[shown] = self._in_si(of_mounts, arguments[of_mounts])
+        return ManyQuantities(values, units, answer, scales=scales, numbers=numbers)
+
+
+def _is_of_all(row: Question, name: str) -> bool:
+    """Whether an argument with a unit is the same for all mounts, as a window of frequencies is."""
+    plain = PLAIN.get(name, name)
+    return plain in row.options and (plain == "psd" or (plain in QUANTITIES and QUANTITIES[plain].kind != ""))
+
+
+def _asked(name: str) -> Callable[..., Any]:
+    """The method of a question: that about dimensionless designs, with the names of arguments that a mount has."""
+    of_designs = getattr(ManyQuestions, name)
+    first, *others = inspect.signature(of_designs).parameters.values()
+    own, letters = [first.replace(kind=first.POSITIONAL_ONLY)], []
+    for one in others:
+        if one.name == "F_0":
+            letters = [inspect.Parameter("at", inspect.Parameter.VAR_KEYWORD)]
+            if one.kind is one.POSITIONAL_OR_KEYWORD:
+                own.append(inspect.Parameter("amplitude", one.POSITIONAL_ONLY, default=None))
+        elif one.name == "psd":
+            own += [one.replace(default=one.empty), one.replace(name="unit", default="g^2/Hz", annotation="str")]
+        elif one.name != WHITE_NOISE:
+            shown = QUANTITIES[one.name].si if one.name in QUANTITIES else ""
+            own.append(
+                one.replace(name=shown, default=None if one.default is not one.empty else one.empty) if shown else one
+            )
+    signature = inspect.Signature([*own, *letters], return_annotation="ManyQuantities")
+
+    def ask(*arguments: Any, **named: Any) -> ManyQuantities:
+        (bound := signature.bind(*arguments, **named)).apply_defaults()
+        known = {name: value for name, value in bound.arguments.items() if value is not None}
+        mounts, amplitude, at = known.pop("self"), known.pop("amplitude", None), known.pop("at", {})
+        if letters:
+            mounts, known["F_0"] = mounts._excited(amplitude, at)
+        answer: ManyQuantities = mounts._ask(name, **known)
+        return answer
+
+    functools.update_wrapper(ask, of_designs)
+    columns = dict.fromkeys(one for of_system in QUESTIONS[name].columns.values() for one in of_system)
+    summary, _, _ = (of_designs.__doc__ or "").partition(": .")
+    ask.__doc__ = f"{summary}, in SI units: {' '.join(f'.{QUANTITIES[one].si or one}' for one in columns)}."
+    ask.__qualname__ = f"{PhysicalDesigns.__qualname__}.{name}"
+    ask.__dict__["__signature__"] = signature
+    return ask
+
+
+for _name in QUESTIONS:
+    setattr(PhysicalDesigns, _name, _asked(_name))
