@@ -142,8 +142,6 @@ def inside(module: str, names: Sequence[str], at: Sequence[float]) -> bool:
 
 def _defined(x: Point) -> bool:
     """Whether what is attached has left, the force has bent within the motion, and what counts does so."""
-    if x.keys() == {"k"} and not (x["k"] >= 0 and x["k"].is_integer()):
-        return False
     if "L_2" in x and not (x["k"] >= 1 and x["k"].is_integer()):
         return False
     if "L_k" in x and x["k"] not in (0, -1):
@@ -204,7 +202,7 @@ def point(module: str, names: Sequence[str], coefficients: Mapping[str, Callable
     if "u_cr" in x and module in OF_MODULE:  # beyond it
         x["A"] = max(x["A"], x["u_cr"])
     if "k" in x and module == "off_centre":
-        x["k"] = float(rng.integers(-1, 1) if "L_k" in x else rng.integers(0 if len(x) == 1 else 1, 40))
+        x["k"] = float(rng.integers(-1, 1) if "L_k" in x else rng.integers(1, 40))
     known = {*x, "u_cr"} - {"delta_h"} if "alpha" in x and "delta_h" in x else x.keys()
     fitting = [place for place, (needed, _) in LOCATIONS.items() if needed <= known]
     if module.startswith(PLAIN) or not fitting or rng.random() < 0.25:

@@ -199,20 +199,6 @@ def off_centre(averaged: Averaged, flow: Formulas, laws: Formulas) -> Formulas:
         """Omega of a motion by I; and its square by R."""
         return sp.solve(I - flow.I, Omega)[0], sp.solve(R - flow.R.subs(Omega**2, turn), turn)[0]
 
-    @of.kernel(of_mean, "k >= 0")
-    def versine() -> sp.Expr:
-        """The mean of (1 - cos psi)^(k + 1) over that of (1 - cos psi)^k.
-
-        By parts: the derivative of sin(psi) w^k, w = 1 - cos(psi), has no mean.
-        """
-        w, power = sp.symbols("w power", positive=True)
-        over = 1 - sp.cos(psi)
-        whole = sp.expand(sp.diff(sp.sin(psi) * over**power, psi) / over**power)
-        of_w = sp.cancel(sp.expand(whole.subs(sp.sin(psi) ** 2, w * (2 - w)).subs(sp.cos(psi), 1 - w)))
-        rise, fall = (sp.Poly(of_w, w).coeff_monomial(w**n) for n in (0, 1))
-        claim("integration by parts of `(1 - cos(psi))^k`", of_w - rise - fall * w)
-        return sp.factor(-rise / fall).subs(power, k)
-
     @of.kernel(of_mean, "c_3 other than 0")
     def beside() -> sp.Expr:
         """(c_1^2 - s_1^2)/c_1 of an odd force without a load where f_0 = 0 and B is not 0, with c_3 and s_2 of some B

@@ -35,8 +35,6 @@ def in_markdown(text: str) -> str:
     return re.sub(r"[\\`*{}\[\]<>#|$~&!]|(?<!\w)_|_(?!\w)", r"\\\g<0>", one_line(text))
 
 
-#: names of Greek letters
-GREEK = {letter: name for name, letter in greek_unicode.items()}
 #: names of Greek letters, which TeX's text fonts lack
 GREEK = {letter: name for name, letter in greek_unicode.items()}
 #: what stands in TeX for a letter

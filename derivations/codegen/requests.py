@@ -42,7 +42,7 @@ REQUESTS = {
     },
     "slow_flow_mu0": {"enclosed": "isola", "searched": "isola F_Omega_reduced", "cells": "F_Omega_reduced"},
     "slow_flow_zeta0": {
-        "enclosed": "fold undamped_Omega undamped_rises",
+        "enclosed": "fold undamped_Omega",
         "searched": "fold undamped_Omega undamped_rises F_Omega_reduced",
         "cells": "F_Omega_reduced",
     },

@@ -30,13 +30,6 @@ static inline void slow_flow_zeta0_intervals_fold(sf_interval F_0, sf_interval m
     out[1] = sfi_times(2.0, sfi_mul(k, k_A));
 }
 
-/* The sign of the level's slope along A on the undamped folds; and, where that is 0, of the slope's own. */
-static inline void slow_flow_zeta0_intervals_undamped_rises(sf_interval h_AA, sf_interval h_AAA, sf_interval k, sf_interval *out)
-{
-    out[0] = sfi_neg(sfi_mul(h_AA, k));
-    out[1] = sfi_neg(sfi_mul(h_AAA, k));
-}
-
 /* F_Omega/(4 A), without the factor Omega if it has that, and its slope along Omega.
    Equation (34). Domain: Omega > 0, A > 0. */
 static inline void slow_flow_zeta0_intervals_F_Omega_reduced(sf_interval Omega, sf_interval A, sf_interval m, sf_interval zeta, sf_interval h, sf_interval *out)

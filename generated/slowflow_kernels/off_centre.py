@@ -39,7 +39,7 @@ import numpy as np
 
 __all__ = [
     "averaged", "begin", "beside", "down", "ended_along", "ended_fold", "ended_slopes", "ended_state", "fold",
-    "frequency_by_phase", "moved", "moved_at_end", "state", "up", "versine",
+    "frequency_by_phase", "moved", "moved_at_end", "state", "up",
 ]
 
 
@@ -269,14 +269,6 @@ def frequency_by_phase(A: Any, R: Any, I: Any, m: Any, zeta: Any, h: Any) -> tup
     """
     t0 = 1.0 / A
     return 0.5 * t0 * (I - m) / zeta, t0 * (R - h)
-
-
-def versine(k: Any) -> Any:
-    """The mean of (1 - cos psi)^(k + 1) over that of (1 - cos psi)^k.
-
-    Equation the mean of (3). Domain: k >= 0. Operations: 4. Error / u (1 + kappa): measured 0.48.
-    """
-    return (2.0 * k + 1.0) / (k + 1.0)
 
 
 def beside(B: Any, c_3: Any, s_2: Any) -> Any:

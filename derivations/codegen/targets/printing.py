@@ -54,6 +54,7 @@ def ordered_terms(total: sp.Expr) -> list[sp.Expr]:
     return total.as_ordered_terms()
 
 
+@functools.cache
 def factors_of(product: sp.Expr) -> tuple[sp.Expr, list[sp.Expr], list[sp.Expr]]:
     """The constant of a product, its other factors, and those of its denominator, as SymPy orders them."""
     factors = product.as_ordered_factors()
@@ -133,16 +134,16 @@ class Rules:
         return f"{self.functions[sp.Pow]}({self._print(base)}, {self._print(exponent)})"
 
     def _print(self, expr: sp.Basic, **settings: object) -> str:
-        # SymPy's printers have a method for each function they know, which would come before the table
+        # SymPy's printers have a method for each function they know, which would come before the table, and print more
         if isinstance(expr, sp.Function):
-            return self._print_Function(expr)
+            return self._print_Function(expr) if expr.func in self.functions else self.emptyPrinter(expr)
         if is_constant(expr) and expr is not sp.oo:
             return self._number(expr)
+        if expr is not sp.oo and not isinstance(expr, sp.Symbol | sp.Add | sp.Mul | sp.Pow | sp.UnevaluatedExpr):
+            self.emptyPrinter(expr)
         return super()._print(expr, **settings)
 
     def _print_Function(self, expr: sp.Expr) -> str:
-        if expr.func not in self.functions:
-            raise Unprintable(f"{type(self).__name__} does not know {expr.func}: {expr}")
         return f"{self.functions[expr.func]}({', '.join(self._print(arg) for arg in expr.args)})"
 
     def emptyPrinter(self, expr: sp.Basic) -> str:
@@ -155,20 +156,12 @@ class Rules:
         if not isinstance(expr, sp.Basic):
             self.emptyPrinter(expr)
         if expr not in self._kept:
-            self._kept[expr] = self._checked(expr)
+            self._kept[expr] = self._print(expr)
         return self._kept[expr]
 
     @functools.cached_property
     def _kept(self) -> dict[sp.Expr, str]:
         return {}
-
-    def _checked(self, expr: sp.Expr) -> str:
-        for node in sp.preorder_traversal(expr):
-            number = getattr(node, "is_Rational", False) or node in (sp.pi, sp.E, sp.oo)
-            built = isinstance(node, sp.Symbol | sp.Add | sp.Mul | sp.Pow | sp.UnevaluatedExpr)
-            if not (number or built or (isinstance(node, sp.Function) and node.func in self.functions)):
-                self.emptyPrinter(node)
-        return self._print(expr)
 
 
 class InC(Rules, C99CodePrinter):

@@ -236,12 +236,6 @@ OFF_CENTRE: dict[str, tuple[str, Function]] = {
             mp.findroot(lambda square: balances(mp.sqrt(square), A, m, zeta, h)[0] - R, mpf(1)),
         ],
     ),
-    "versine": (
-        "k",
-        lambda k: [
-            mp.beta(k + mpf(3) / 2, mpf(1) / 2) * 2 / mp.beta(k + mpf(1) / 2, mpf(1) / 2),  # of (2 sin^2(psi/2))^k
-        ],
-    ),
 }
 
 
