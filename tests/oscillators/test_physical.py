@@ -695,6 +695,19 @@ def test_gradients_in_si_units_are_the_differences_of_mounts(excitation, damping
         assert found.condition("A")[0] == pytest.approx(change / states(**numbers).A[0], rel=1e-13)
 
 
+@pytest.mark.parametrize("damping", [{"c": 8.0}, {"zeta": 0.03}, {"zeta": 0.02, "eta": 0.05}])
+@pytest.mark.parametrize(
+    "springs", [{"k_1": 2500.0, "k_3": 4e5}, {"k_1": -600.0, "k_3": 4e6}, {"k_1": 0.0, "k_3": 4e5}]
+)
+def test_gradients_of_cubic_springs_are_differences(springs, damping):
+    """Also where a ratio of damping refers to a stiffness that changes."""
+    sheet = {"m": 12.0, **springs, "friction": 0.4, **damping}
+    found = Duffing.physical(**sheet).peak(5.0).gradient()
+    assert set(found.by) >= {*sheet, "F"} - {"eta"} and not {"k_v", "L"} & set(found.by)
+    varied = {*sheet} if springs["k_1"] else {*sheet} - {"k_1"}
+    assert assert_slopes_are_differences(Duffing.physical, sheet, {"": lambda mount: mount.peak(5.0)}, varied)
+
+
 def test_angles_are_shown_in_degrees_too(mount):
     states = mount.amplitudes(f=2.0, F=4.0)
     np.testing.assert_allclose(states.in_units("deg").phi, np.degrees(states.phi))

@@ -160,6 +160,9 @@ def test_what_many_mounts_cannot_be_asked_is_refused():
         mount.many(mass=[20.0, 25.0])
     with pytest.raises(ValueError, match=r"shapes do not broadcast: m \(2,\)"):
         mount.many(m=[20.0, 25.0], k_v=[1.0, 2.0, 3.0])
+    xarray = pytest.importorskip("xarray")
+    with pytest.raises(ValueError, match="m has named axes"):
+        mount.many(m=xarray.DataArray([20.0, 25.0], dims="mass"))
     with pytest.raises(TypeError, match="the amplitude of the excitation is needed once, F in N: got U"):
         mount.many(m=[20.0, 25.0]).peak(U=0.1)
     with pytest.raises(TypeError, match="S_0"):

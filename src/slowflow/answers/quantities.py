@@ -518,9 +518,8 @@ class Scales:
         A number of a mount is its dimensionless number times powers of k_v, L and m (4), and so is each number that it
         depends on: derivatives with respect to k_v, L and m include all of these.
         """
-        if "k_1" in self.sheet:
-            raise Refused("only `Isolator.physical` has gradients in SI units; .answer.gradient() is dimensionless")
-        if found.by[: len(ROD_SPRING.design)] != ROD_SPRING.design_names:
+        springs = "k_1" in self.sheet
+        if not springs and found.by[: len(ROD_SPRING.design)] != ROD_SPRING.design_names:
             raise Refused(WITHOUT_PRELOAD)
         arguments = {"F_0": OF_KIND[self.amplitude], "Omega": SCALES["Omega"], "load": SCALES["F_0"]}
         known = self.measures | {name: (self.symbol(name), scale) for name, scale in arguments.items()}
@@ -548,6 +547,8 @@ class Scales:
         numbers = tuple(one / self.mounts if name == "k_v" else one for name, one in zip(names, numbers, strict=True))
         if "load" in by:
             slopes, numbers = _by_masses(names, slopes, numbers)
+        if springs:
+            names, slopes, numbers = _by_springs(names, slopes, numbers)
         return Gradient(of, names, slopes, found.status.copy(), tuple(np.moveaxis(values * size_of, -1, 0)), numbers)
 
 
@@ -578,6 +579,25 @@ class ManyScales(Scales):
         """The scales with one more axis, of places or rows."""
         base: Any = {name: getattr(self, name)[..., np.newaxis] for name in BASE}
         return dataclasses.replace(self, **base)
+
+
+def _by_springs(
+    names: tuple[str, ...], slopes: Floats, numbers: tuple[Any, ...]
+) -> tuple[tuple[str, ...], Floats, tuple[Any, ...]]:
+    """Convert to derivatives by the data of a cubic spring, of which k_v and L are none.
+
+    A damping ratio and a loss factor refer to |k_1|, or where k_1 = 0 to |k_3|: at a constant ratio the damping changes
+    with the stiffness.
+    """
+    found, known = slopes.copy(), dict(zip(names, numbers, strict=True))
+    for spring, refers in (("k_1", known["k_1"] != 0), ("k_3", known["k_1"] == 0)):
+        stiffness = np.where(refers, known[spring], np.inf)
+        for ratio, power in (("zeta", 0.5), ("eta", 1.0)):
+            if ratio in names:
+                change = power * known[ratio] / stiffness
+                found[..., names.index(spring)] += slopes[..., names.index(ratio)] * change[..., np.newaxis]
+    kept = [k for k, name in enumerate(names) if name not in ("k_v", "L")]
+    return tuple(names[k] for k in kept), found[..., kept], tuple(numbers[k] for k in kept)
 
 
 def _by_masses(names: tuple[str, ...], slopes: Floats, numbers: tuple[Any, ...]) -> tuple[Floats, tuple[Any, ...]]:

@@ -80,7 +80,7 @@ class Physical(Excited):
         ----------
         **changes : array_like
             Data by the names of `Isolator.physical` or `Duffing.physical`, in SI units; `mounts`, `rubs`, `force` and
-            `excitation` are the same for all mounts. Arrays of xarray or dask make a map over named axes.
+            `excitation` are the same for all mounts.
 
         Returns
         -------

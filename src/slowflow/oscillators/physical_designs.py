@@ -75,6 +75,7 @@ if TYPE_CHECKING:
 
 #: data that are the same for all mounts
 SETTINGS = ("mounts", "rubs", "force", "excitation")
+NO_MAPS = "many mounts take plain arrays, maps over named axes are made by `Isolator.many` or `Duffing.many`"
 #: a density that has no customary unit
 WHITE_NOISE = "S_0"
 #: of a batch's answers in SI units what is computed when it is read, and has no unit
@@ -178,7 +179,6 @@ class PhysicalDesigns(Excited, Unchanging):
 
     A mount without a result raises nothing: `.status` has the reason. Mounts of different m, k_v or L that are asked
     about one window of frequencies, one spectral density or one duration in seconds are asked one after another.
-    Arrays of xarray or dask make a map over named axes: answers are Datasets with units, see `store`.
 
     values -- the data of the mounts by name, in SI units
     settings -- data that are the same for all
@@ -215,9 +215,8 @@ class PhysicalDesigns(Excited, Unchanging):
             )
         settings = {name: known.pop(name) for name in SETTINGS if name in known}
         values = {name: si(name, value, SHEET[name]) for name, value in known.items()}
-        if not any(map(validate.is_labelled, values.values())):
-            values = {name: validate.real_array(name, value) for name, value in values.items()}
-            validate.common_shape(values)
+        values = {name: _array(name, value) for name, value in values.items()}
+        validate.common_shape(values)
         self.__dict__.update(_kind=kind, values=values, settings=settings, second=second)
 
     def __eq__(self, other: object) -> bool:
@@ -237,8 +236,8 @@ class PhysicalDesigns(Excited, Unchanging):
         return hash((self._kind, self.second, *self.settings.items(), *self.values))
 
     @functools.cached_property
-    def _made(self) -> tuple[ManyScales, dict[str, Any]]:
-        """The scales, and the dimensionless numbers."""
+    def dimensionless(self) -> tuple[ManyScales, dict[str, Any]]:
+        """The scales, and the dimensionless numbers of the designs by name."""
         settings = {name: word for name, word in self.settings.items() if name in ("mounts", "excitation")}
         damping = "c" if "c" in self.values else "zeta"
         # under a load m is no scale: it must be a mass all the same
@@ -249,12 +248,12 @@ class PhysicalDesigns(Excited, Unchanging):
     @property
     def scales(self) -> ManyScales:
         """The scales that make numbers dimensionless (4), arrays: NaN where m, k_v or L is not > 0."""
-        return self._made[0]
+        return self.dimensionless[0]
 
     @functools.cached_property
     def designs(self) -> Any:
         """The dimensionless designs."""
-        scales, numbers = self._made
+        scales, numbers = self.dimensionless
         settings = {name: word for name, word in self.settings.items() if name in ("rubs", "force")}
         found = self._kind.many(**numbers, **settings, excitation=scales.of_oscillator)
         return found.second_approximation if self.second else found
@@ -318,7 +317,7 @@ class PhysicalDesigns(Excited, Unchanging):
     def _in_si(self, name: str, value: Any) -> npt.NDArray[Any]:
         """Values of an argument, in SI units."""
         shown, kind = self.scales.kind(PLAIN.get(name, name))
-        return validate.real_array(shown, si(shown, value, SI[kind]) if kind else value)
+        return _array(shown, si(shown, value, SI[kind]) if kind else value)
 
     def _by_scale(self, row: Question, arguments: Mapping[str, Any]) -> Batch:
         """The answers of the mounts of each scale, where an argument is that of all of them in SI units."""
@@ -364,6 +363,13 @@ class PhysicalDesigns(Excited, Unchanging):
             of_mounts = "F_0" if name == "F_0" else shown
             numbers[shown] = self._in_si(of_mounts, arguments[of_mounts])
         return ManyQuantities(values, units, answer, scales=scales, numbers=numbers)
+
+
+def _array(name: str, value: Any) -> npt.NDArray[Any]:
+    """Numbers of any shape, as they are."""
+    if validate.is_labelled(value):
+        raise validate.NotAvailable(f"{name} has named axes, or is divided into blocks: {NO_MAPS}")
+    return validate.real_array(name, value)
 
 
 def _is_of_all(row: Question, name: str) -> bool:
