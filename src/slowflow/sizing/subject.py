@@ -15,7 +15,7 @@ import numpy as np
 
 from slowflow.answers.answer import frozen
 from slowflow.answers.physical_answers import Amplitude
-from slowflow.answers.quantities import LETTERS, PURE, SHEET, SI, UNITS, Scales, g, si, size, sizes
+from slowflow.answers.quantities import LETTERS, PURE, SHEET, SI, UNITS, Scales, si, size
 from slowflow.answers.table import COLUMNS
 from slowflow.averaged.batch_checks import full, lifting
 from slowflow.averaged.batches import Batch
@@ -288,11 +288,11 @@ class Subject:
         units: dict[str, Any] = dict.fromkeys((*UNITS, ""), 1.0)
         static, kinetic = numbers.pop(STATIC if self.mount else "mu_s", None), numbers[self.name("mu")]
         if self.mount is not None:
-            base = self._base(numbers)
-            units = {**sizes(**base), "": 1.0}
-            weight = {"load": (numbers["load"] - numbers["m"]) * g / units["force"]} if self.loaded else {}
-            own = self._measures.items()
-            numbers = weight | {name: numbers[word] / size(scale, **base) for name, (word, scale) in own}
+            # a load that is m moves nothing from the centre, and batches do not know static friction
+            without = (STATIC, *(["load"] if not self.loaded else []))
+            others = {name: None for name in without if name in self.mount.given}
+            scales, numbers = self.mount.many(**numbers, **others).dimensionless
+            units = {**scales.sizes, "": 1.0}
         numbers = {name: value for name, value in numbers.items() if name not in LAWS or name in self.laws}
         arrays = {name: np.broadcast_to(np.asarray(value, dtype=float), shape) for name, value in numbers.items()}
         mu_s = None
@@ -303,17 +303,6 @@ class Subject:
             loads = {**arrays, "load": arrays.pop("load")}
             return OffCentreDesigns(self.mechanism, loads, self.excitation), mu_s, units
         return Designs(self.mechanism, arrays, self.excitation, self.rubs), mu_s, units
-
-    def _base(self, numbers: Mapping[str, Any]) -> dict[str, Any]:
-        """What answers of these designs are measured in."""
-        assert self.mount is not None
-        if "k_1" not in numbers:
-            k_v = numbers["k_v"] * self.mounts
-            return {"m": numbers["load" if self.loaded else "m"], "k_v": k_v, "L": numbers["L"]}
-        # as `Duffing.physical` has it: zeta is that of k_1
-        L = self.mount.scales.L
-        k_v = abs(numbers["k_1"]) if self.nominal["k_1"] else abs(numbers["k_3"]) * L**2
-        return {"m": numbers["m"], "k_v": k_v, "L": L}
 
 
 class _Batch:
