@@ -10,6 +10,7 @@ import pytest
 import sympy as sp
 
 from slowflow import Duffing, derive
+from slowflow.answers.results import Remark
 from slowflow.core.intervals import Interval
 from slowflow.off_centre.means import Steps
 
@@ -192,6 +193,15 @@ def test_no_motion_passes_a_wall(magnet):
 
 
 @pytest.mark.slow
+def test_states_off_the_centre_say_where_those_about_it_are_cut():
+    """A force that ends at |u| = 5, at which there is a state about the centre: beyond there may be others."""
+    well = derive.mechanism("ended_well", [(-u / 2 + u**3 / (1 + u**2), None)], {}, reach=5.0, reach_reason="it ends")
+    one = well(mu=0.01, zeta=0.0005)
+    centred, every = (of.amplitudes(Omega=0.9, F_0=0.05) for of in (one, one.off_centre))
+    assert "cut at A = 5, it ends" in centred.message
+    assert Remark.CUT in every.remarks and every.message == "cut at A = 5, it ends"
+
+
 def test_what_is_not_smooth_is_refused_with_where_it_is():
     """A pole and a root between the ends of a piece; a root that a piece begins with."""
     pole = derive.mechanism("pole", [(u + q / (d - u), 1), (u, None)], {"q": ABOVE, "d": ABOVE}, odd=False)

@@ -24,7 +24,7 @@ from slowflow.answers.results import (
     SaddleNodes,
     SteadyStates,
 )
-from slowflow.averaged import checks, diagnostics, isolating, messages
+from slowflow.averaged import checks, diagnostics, isolating, messages, solvers
 from slowflow.averaged.composed import ComposedQuestions
 from slowflow.averaged.pairs import at_pairs
 from slowflow.averaged.questions import Averaged
@@ -249,6 +249,8 @@ class OffCentre(Unchanging, ComposedQuestions):
         order = np.lexsort((x[1], x[0], of))
         missing = np.unique(at[undecided])
         notes = _Notes(_listed(UNDECIDED, missing), Remark.UNDECIDED) if missing.size else _Notes()
+        if self._complete.has_centre:
+            notes = notes.combine(self._of_cut(centred, F_0, float(at.min())))
         notes = notes.combine(_Notes(messages.sticks_below(self._model, F_0, at)))
         notes = notes.combine(_Notes(self._moves_exactly(F_0, at)))
         return self._states(at, x[0, order], x[1, order], F_0, notes, missing, of[order])
@@ -298,7 +300,7 @@ class OffCentre(Unchanging, ComposedQuestions):
         if self._complete.has_centre:
             centred = Averaged(self._model).frequency_response(F_0, samples=samples, Omega=(low, high))
             found = found.behind(Curves(centred.Omega, centred.A, 0 * centred.A, centred.branch, centred.isola))
-            notes = notes.combine(_of_centred(centred))
+            notes = notes.combine(_of_centred(centred)).combine(self._of_cut(centred, F_0, low))
         return self._response(found, F_0, notes)
 
     def _off(self, Omega: Floats, F_0: float) -> tuple[Floats, Ints]:
@@ -343,7 +345,7 @@ class OffCentre(Unchanging, ComposedQuestions):
         corners, kinds, undecided = self._complete.corners(F_0)
         x, open_ = (np.concatenate(pair, axis=1) for pair in ((found.x, corners), (found.undecided, undecided)))
         kind = np.array([""] * found.x.shape[1] + kinds)
-        notes = _Notes() if centred is None else _of_centred(centred)
+        notes = _Notes() if centred is None else _of_centred(centred).combine(self._of_cut(centred, F_0))
         if open_.size:
             folds = _listed(UNDECIDED_FOLDS, np.unique(np.round(open_[0], 12)))
             notes = notes.combine(_Notes(folds, Remark.UNDECIDED))
@@ -504,6 +506,12 @@ class OffCentre(Unchanging, ComposedQuestions):
         Omega, A, B = Omega[order], A[order], B[order]
         return self._made(SaddleNodes, Omega, A, kind[order], corner[order], F_0, B=B, **notes._asdict())
 
+    def _of_cut(self, centred: SaddleNodes | SteadyStates, F_0: float, lowest: float = 0.0) -> _Notes:
+        """Where the response about the centre is cut, at Omega from the lowest one on; nothing where it is not."""
+        if Remark.CUT not in centred.remarks:
+            return _Notes()
+        return _Notes(solvers.remark_of(self._model, F_0, lowest), Remark.CUT)
+
     def _frequency(self, A: Floats, R: Floats, F_0: Any, h: Any) -> Floats:
         """Omega of a fold from R = A Omega^2 + h, or from I = m + 2 zeta A Omega where that moves it less."""
         with np.errstate(all="ignore"):
@@ -554,7 +562,9 @@ def _of_folds(folds: SaddleNodes) -> _Notes:
 
 
 def _of_centred(centred: SaddleNodes | FrequencyResponse) -> _Notes:
-    """What an answer about the centre leaves undecided; its other remarks are of motions that leave the centre."""
+    """What an answer about the centre leaves undecided; where it is cut is `_of_cut`, and other remarks are of motions
+    that leave the centre.
+    """
     if Remark.UNDECIDED not in centred.remarks:
         return _Notes()
     return _Notes(diagnostics.MESSAGES[Remark.UNDECIDED].format(), Remark.UNDECIDED)
