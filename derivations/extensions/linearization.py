@@ -27,6 +27,12 @@ Where G goes as Omega^s, and jumps by dG at some frequencies, the slope by p at 
 as Z is homogeneous (`_check_scales`). The poles of 1/Z next to the real axis, at ln Omega = p/2 +- i theta with
 sin(theta) = r, are what makes a quadrature of I_j slow: `resonance` has what they add to it in closed form.
 
+Under a load, and where f is not odd, u has a mean m by E[f] = load, and k = E[(u - m) f]/sigma_u^2. With
+x = (u - m)/sigma_u the averages A_n = E[He_n(x) (f - load)] are sigma_u^n times the derivatives of A_0 by the mean, and
+A_0 obeys the heat equation of time sigma_u^2/2 (`_check_mean`). So those of a mean m + sigma_u d and a mean square
+sigma_u^2 (1 + e) are a power series in d and e, with the A_n at the first for coefficients: that bounds them on a box.
+As E[He_n^2] = n!, higher orders are bounded by the mean square of f.
+
 White noise has a constant two-sided density S_0 (G = 2 S_0): its I_j follow from the moments of the linear oscillator.
 Of it there is a second approximation, for any odd force that pulls towards the centre: its energy E = v^2/2 + int f du
 changes slowly (Stratonovich, Roberts). `_by_energy` has the density of energies.
@@ -35,6 +41,7 @@ changes slowly (Stratonovich, Roberts). `_by_energy` has the density of energies
 from __future__ import annotations
 
 import functools
+import itertools
 
 import sympy as sp
 
@@ -101,6 +108,7 @@ def linearization() -> Formulas:
     _check_least_squares()
     _check_cycles()
     _check_fraction()
+    _check_mean()
     force = mu + 2 * zeta * _v + c_2 * _v**2 + c_3 * _v**3
     of_both = force.subs({mu: _acts * mu, zeta: zeta + zeta_2 * u**2})
 
@@ -173,6 +181,41 @@ def _check_least_squares() -> None:
     claim(
         "`k = E[u f]/E[u^2]` minimizes `E[(f - k u)^2]`", sp.solve(sp.diff(error, misses), misses)[0] - product / square
     )
+
+
+def _check_mean() -> None:
+    """Averages about a mean, by the mean and by sigma_u: `native/exact/offset.h` takes these identities."""
+    m = sp.Symbol("m", real=True)
+    at = (u - m) / sigma_u
+    density = sp.exp(-(at**2) / 2) / (sp.sqrt(2 * sp.pi) * sigma_u)
+    hermite = [2 ** sp.Rational(-n, 2) * sp.hermite(n, at / sp.sqrt(2)) for n in range(6)]
+    for n, (one, following) in enumerate(itertools.pairwise(hermite)):
+        claim(
+            f"`sigma_u dA_{n}/dm = A_{n + 1}`, by the densities of both averages",
+            sp.simplify((sigma_u * sp.diff(one * density, m) - following * density) / density),
+        )
+    claim(
+        "`A_0` obeys the heat equation `d A_0/d(sigma_u^2/2) = d^2 A_0/dm^2`",
+        sp.simplify((sp.diff(density, sigma_u) / sigma_u - sp.diff(density, m, 2)) / density),
+    )
+    claim("`A_1/sigma_u` is `E[(u - m) f]/sigma_u^2`", sp.expand(hermite[1] / sigma_u - (u - m) / sigma_u**2))
+    for n in range(5):
+        of_x = sp.expand(hermite[n].subs(u, m + sigma_u * _v) ** 2)
+        claim(f"`E[He_{n}^2] = {n}!`", _mean(of_x, sp.S.One) - sp.factorial(n))
+
+    t, d, e = sp.symbols("t d e", real=True)
+    j = sp.Symbol("j", integer=True, nonnegative=True)
+    h = sp.Function("h")
+    series = sp.exp(d * t + e * t**2 / 2)
+    claim("`exp(d t + e t^2/2)` has the slope `(d + e t)` times itself", sp.diff(series, t) - (d + e * t) * series)
+    of_power = (j + 1) * h(j + 1) - d * h(j) - e * h(j - 1)
+    terms = [1, d]
+    for n in range(1, 6):
+        terms.append(sp.solve(of_power.subs(j, n).subs({h(n): terms[n], h(n - 1): terms[n - 1]}), h(n + 1))[0])
+        claim(
+            f"coefficient of `t^{n + 1}` in this series by the two before",
+            sp.expand(sp.diff(series, t, n + 1).subs(t, 0) / sp.factorial(n + 1) - terms[-1]),
+        )
 
 
 def _check_cycles() -> None:

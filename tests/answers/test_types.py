@@ -41,7 +41,7 @@ ARGUMENTS = {
     "isolation": {"F": 20.0},
     "spectrum": {"f": [3.0, 4.0], "F": 20.0},
 }
-ABOUT_THE_CENTRE = {"at_rest", "fold_locus", "cusps", "isola_points", "certify", "random"}
+ABOUT_THE_CENTRE = {"at_rest", "fold_locus", "cusps", "isola_points", "certify"}
 SCRIPT = """
 import numpy as np
 from slowflow import Duffing, Isolator

@@ -651,7 +651,6 @@ def test_straight_lines_between_samples_have_the_spectrum():
         ({}, {"psd": ([1.0, 2.0], [1.0, 0.0])}, "G"),
         ({"zeta": 0.0}, {"S_0": 1.0}, "needs viscous damping"),
         ({"eta": 0.1}, {"S_0": 1.0}, "eta"),
-        ({"load": 0.1}, {"S_0": 1.0}, "load"),
     ),
 )
 def test_what_has_no_stationary_answer_is_refused(parameters, excitation, message):

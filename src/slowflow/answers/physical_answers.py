@@ -147,6 +147,7 @@ class One(Explained, Excited[float]):
 class Random(Explained):
     """Of `random`."""
 
+    B: Floats
     x_rms: Floats
     v_rms: Floats
     a_rms: Floats

@@ -176,8 +176,8 @@ _REST = text(
 )
 _BOXES = f"{_PLANE} one or none"
 
-#: questions to the equation of motion, which does not ask where the centre is
-_EXACT = ("steady_state", "exact_response", "sweep", "transient", "shock_spectrum")
+#: questions about motions in time, which do not ask where the centre is
+_EXACT = ("steady_state", "exact_response", "sweep", "transient", "shock_spectrum", "random")
 #: by question what runs for it off the centre, where there is one way to each answer
 OFF_CENTRE: dict[str, tuple[Step, ...]] = {
     "rest": (Step("boxes", True, _REST),),

@@ -144,6 +144,12 @@ class Force:
         return next(iter(self.breakpoints[self.innermost :]), None)
 
     @property
+    def first_ends(self) -> tuple[float, float]:
+        """Ends of that piece below and above u = 0 for any force, infinite where it does not end."""
+        below, above = (self.edge_ahead(side, side * self.innermost) for side in (-1, 1))
+        return -math.inf if below is None else below, math.inf if above is None else above
+
+    @property
     def jump(self) -> float:
         """f(0+), the height of the jump at u = 0, which may hold a mass there in addition to friction."""
         return self.pieces[1].value(0.0) if self.innermost else 0.0

@@ -35,7 +35,7 @@ def designs_of(
 
         return Grid(mechanism, values, excitation, rubs)
     if "load" in values:
-        from slowflow.off_centre.many import OffCentreDesigns
+        from slowflow.grid.offset import OffCentreDesigns
 
         return OffCentreDesigns(mechanism, values, excitation)
     return Designs(mechanism, values, excitation, rubs)

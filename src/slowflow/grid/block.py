@@ -21,7 +21,7 @@ from slowflow.core import backend
 from slowflow.core.mechanism import Mechanism
 from slowflow.core.model import THROUGHOUT
 from slowflow.grid.many import Designs
-from slowflow.off_centre.many import OffCentreDesigns
+from slowflow.grid.offset import OffCentreDesigns
 from slowflow.second.many import SecondDesigns
 from slowflow.version import __version__
 from slowflow_kernels.conventions import FoldKind, Status

@@ -110,7 +110,8 @@ class OffCentreDesigns(many.Designs):
         self.__dict__.update(values=numbers, shape=validate.common_shape(numbers), _singles={})
 
     rest = ManyQuestions.rest
-    at_rest = certify = random = Unanswered("of motions about the centre")
+    at_rest = certify = Unanswered("of motions about the centre")
+    random = Unanswered("of batches that `many` makes")
 
     def __getattr__(self, name: str) -> Any:
         if name in CENTRED:
@@ -254,7 +255,7 @@ def check_polynomial(mechanism: Mechanism) -> None:
 #: what a column is called of answers about the centre, where it has another name
 AS_CENTRED = {"A": "u_cr", "u_max": "A", "Omega_max": "Omega"}
 #: questions about the centre that many designs have
-CENTRED = frozenset(("at_rest", "certify", "random", "second_approximation"))
+CENTRED = frozenset(("at_rest", "certify", "second_approximation"))
 COMPOSED = ("margins", "hysteresis", "isolation")
 
 

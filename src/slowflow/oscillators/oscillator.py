@@ -531,22 +531,21 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         Returns
         -------
         RandomResponse
-            .u_rms .v_rms .a_rms, .stiffness and .damping of the equivalent linear oscillator, .beyond and
-            .crossing_rate of the first breakpoint, in ascending order of u_rms; it is proved that there are no others.
-            If there are several, or if dry friction dominates the damping, `.message` reports it; `.measure()` compares
-            with simulated motions.
+            .B, the mean, .u_rms about it, .v_rms .a_rms, .stiffness and .damping of the equivalent linear oscillator,
+            .beyond and .crossing_rate of the first breakpoint, in ascending order of u_rms; it is proved that there are
+            no others, without a load about the centre. If there are several, or if dry friction dominates the damping,
+            `.message` reports it; `.measure()` compares with simulated motions.
 
         Raises
         ------
         ValueError
             If both or neither of S_0 and psd are given; without zeta and mu (under white noise c_2 suffices, under a
-            psd mu with rubs="attached" does not); for eta > 0, under a load and for an asymmetric force.
+            psd mu with rubs="attached" does not); for eta > 0.
         ArithmeticError
-            Where there is no stationary motion.
+            Where there is no stationary motion; under a load also if the spring gives way far from the centre.
         """
         from slowflow.random_vibration.questions import random
 
-        self.at_centre("random")
         validate.is_in_time("random", self.model.laws.present)
         return random(self, self.equation_of_motion(None), S_0, psd)
 

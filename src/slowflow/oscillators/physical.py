@@ -458,8 +458,9 @@ class Physical(Excited):
         Returns
         -------
         Quantities
-            .x_rms in m, .v_rms in m/s, .a_rms in m/s^2, .f_e in Hz, .stiffness in N/m and .damping in N s/m of the
-            equivalent linear oscillator, .beyond and .crossing_rate in 1/s of the stroke; shape (motions,).
+            .B, the mean of x, and .x_rms about it in m, .v_rms in m/s, .a_rms in m/s^2, .f_e in Hz, .stiffness in N/m
+            and .damping in N s/m of the equivalent linear oscillator, .beyond and .crossing_rate in 1/s of the stroke;
+            shape (motions,).
         """
         table = density(self.scales, psd, unit)
         with self.scales.in_these_terms():

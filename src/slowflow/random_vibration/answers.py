@@ -20,6 +20,10 @@ from slowflow.support.errors import Refused
 from slowflow_kernels import linearization
 
 NO_CYCLES = "averages over cycles of one energy are available under white noise only: random(S_0=...)"
+OFFSET = (
+    "averages over cycles of one energy are available about the centre only, not with a load or an asymmetric force; "
+    "measure() follows the motion in time"
+)
 #: by how many root mean squares the largest displacement exceeds them at most, and steps up to there
 FARTHEST, STEPS = 12.0, 4000
 #: over natural frequencies how far up and down a picture goes
@@ -30,20 +34,23 @@ SHOWN = 10.0
 class RandomResponse(Drawn, Table, entry="Stationary"):
     """Stationary motions under a Gaussian excitation by statistical linearization, in ascending order of u_rms.
 
-    u_rms, v_rms -- root mean squares of displacement and velocity relative to the base; all numbers are dimensionless
-    a_rms        -- of the absolute acceleration of the mass; if a force excites, of the transmitted force
+    B            -- mean displacement, 0 without a load if the force is odd; all numbers are dimensionless
+    u_rms, v_rms -- root mean squares of displacement about the mean, and of velocity, relative to the base
+    a_rms        -- of the absolute acceleration of the mass; if a force excites, of the transmitted force less the load
     stiffness, damping -- k and c of the linear oscillator u'' + c u' + k u = w with the least mean square error in (3)
     Omega_e, ratio_e -- its natural frequency and its damping ratio
-    beyond        -- fraction of the time in which |u| is beyond the first breakpoint, NaN if there is none
-    crossing_rate -- rate at which |u| crosses it, per unit of tau (Rice)
+    beyond        -- fraction of the time in which u is beyond the first breakpoint on either side, NaN if there is none
+    crossing_rate -- rate at which u crosses these outwards, per unit of tau (Rice)
     dry           -- fraction of the damping due to dry friction, on which the accuracy depends
     message       -- diagnostics as text
 
-    It is proved that there are no others: see `native/exact/linearized.h`.
+    It is proved that there are no others, without a load about the centre: see `native/exact/linearized.h` and
+    `native/exact/offset.h`.
     """
 
     picture: ClassVar[str] = "psd"
 
+    B: Floats
     u_rms: Floats
     v_rms: Floats
     a_rms: Floats
@@ -76,11 +83,13 @@ class RandomResponse(Drawn, Table, entry="Stationary"):
     def by_energy(self) -> ByEnergy:
         """Stochastic averaging of the energy, which is more accurate than linearization; see `ByEnergy`.
 
-        Raises ValueError if the excitation is not white noise; ArithmeticError if the spring pushes away from the
-        centre anywhere, as in a double well.
+        Raises ValueError if the excitation is not white noise, and for motions about a mean; ArithmeticError if the
+        spring pushes away from the centre anywhere, as in a double well.
         """
         if not isinstance(self.excitation, White):
             raise Refused(NO_CYCLES)
+        if not self.system.centred:
+            raise Refused(OFFSET)
         u, v, a, beyond, fourth = averages(self.system, self.excitation.S_0, float(self.u_rms[0])).tolist()
         fraction = math.nan if self.system.force.first_end is None else beyond
         return ByEnergy(math.sqrt(u), math.sqrt(v), math.sqrt(a), fraction, fourth / u**2)
@@ -91,15 +100,17 @@ class RandomResponse(Drawn, Table, entry="Stationary"):
         Level crossings are treated as a Poisson process.
         """
         tau = validate.number("duration", duration, above=0.0)
-        passes = linearization.crossings(0.0, self.u_rms, self.v_rms) * tau
-        x, width = np.linspace(0.0, FARTHEST, STEPS, retstep=True)
-        survives = -np.expm1(-passes[:, np.newaxis] * np.exp(-0.5 * x * x))
-        return np.asarray(self.u_rms * np.trapezoid(survives, dx=width, axis=1))
+        B, u, v = (one[:, np.newaxis] for one in (self.B, self.u_rms, self.v_rms))
+        level = (FARTHEST * u + np.abs(B)) * np.linspace(0.0, 1.0, STEPS)
+        beyond = np.maximum(level, np.abs(B))  # nearer ones than the mean are passed at least as surely as that
+        survives = -np.expm1(-tau * crossings((-beyond, beyond), B, u, v))
+        return np.asarray(np.trapezoid(survives, level, axis=1))
 
     def gradient(self) -> Gradient:
         """Differentiate u_rms, v_rms and a_rms of each motion with respect to the design, its damping and S_0.
 
         The derivatives are exact; those with respect to c_2, c_3 and zeta_2 if these are not 0, to S_0 for white noise.
+        For motions about a mean B is differentiated too, also with respect to the load.
         Where two equivalent oscillators merge there is no gradient; `.status` and `.message` say so. Raises ValueError
         if the derivatives of the force with respect to the design are not known.
         """
@@ -119,7 +130,13 @@ class RandomResponse(Drawn, Table, entry="Stationary"):
         """
         system = self.system if force is None else self._equation.equation_of_motion(force)
         linear = self.excitation, self.stiffness, self.damping
-        return MeasuredRandom(*measured(system, *linear, samples, records, seed))
+        return MeasuredRandom(*measured(system, *linear, float(self.B[0]), samples, records, seed))
+
+
+def crossings(ends: Any, mean: Any, u_rms: Any, v_rms: Any) -> Any:
+    """Rate at which a Gaussian motion about a mean passes either of two ends outwards, per unit of tau (Rice)."""
+    below, above = (linearization.crossings(end - mean, u_rms, v_rms) for end in ends)
+    return (below + above) / 2
 
 
 @dataclass(frozen=True, eq=False)
@@ -144,16 +161,18 @@ class ByEnergy(Single):
 class MeasuredRandom(Single):
     """Averages over records of the motion; dimensionless.
 
-    u_rms, v_rms, a_rms -- as in `RandomResponse`
-    u_margin, v_margin, a_margin -- half widths of their 95 % confidence intervals
+    B, u_rms, v_rms, a_rms -- as in `RandomResponse`
+    B_margin, u_margin, v_margin, a_margin -- half widths of their 95 % confidence intervals
     beyond   -- fraction of the time beyond the first breakpoint, NaN if there is none
-    kurtosis -- of u: 3 for a Gaussian motion
+    kurtosis -- of u about its mean: 3 for a Gaussian motion
     duration -- total duration of the records
     """
 
+    B: float
     u_rms: float
     v_rms: float
     a_rms: float
+    B_margin: float
     u_margin: float
     v_margin: float
     a_margin: float

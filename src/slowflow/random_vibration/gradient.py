@@ -4,6 +4,8 @@ By the implicit function theorem, from what holds of them with p = ln k and q = 
 
     ln I_0(p, q) - 2 ln sigma_u = 0,  p = ln(E[u f]/sigma_u^2)     ln I_2(p, q) - 2 ln sigma_v = 0,  q = ln C(sigma_v)
 
+and E[f] = load, where the mean B of u is not 0 and p has u - B.
+
 Slopes of averages are imaginary parts at complex parameters next to the real ones, from which nothing cancels.
 """
 
@@ -39,56 +41,77 @@ def gradient(found: Any, system: EquationOfMotion, oscillator: Any) -> Gradient:
     if mechanism.by_design is None:
         raise validate.NotAvailable((OF_FUNCTIONS if mechanism.told else OF_RECORD).format(mechanism.name))
     others = [name for name in LAWS[2:] if getattr(system, name) > 0]
-    present = [*LAWS[:2], *others]
+    present, offset = [*LAWS[:2], *others], not system.centred
     laws = tuple(getattr(system, name) for name in present)
     power = (found.excitation.S_0,) if isinstance(found.excitation, White) else ()
-    by = (*names, *present, *("S_0",) * len(power))
+    by = (*names, *present, *("load",) * offset, *("S_0",) * len(power))
     parameters, ends = model.parameters, np.array(mechanism.breakpoints(*model.parameters), dtype=float)
     # of each parameter, then of each breakpoint, by each number of the design
     by_design = np.array(mechanism.by_design(*model.design), dtype=float).reshape(-1, len(names))
-    count, size = 2 + len(names), 2 + len(names) + len(laws)
-    slopes = np.empty((len(found), 3, len(by)))
+    own = 2 + offset  # unknowns: sigma_u and sigma_v, relative, and B over sigma_u
+    count, size = own + len(names), own + len(names) + len(laws) + offset
+    slopes = np.empty((len(found), 3 + offset, len(by)))
     status = np.full(len(found), GradientStatus.OK, np.int8)
-    for row, (u, v) in enumerate(zip(found.u_rms, found.v_rms, strict=True)):
+    for row, (B, u, v) in enumerate(zip(found.B, found.u_rms, found.v_rms, strict=True)):
 
-        def at(step: Any, u: float = u, v: float = v) -> Any:
-            shifts = by_design @ step[2:count]
+        def at(step: Any, B: float = B, u: float = u, v: float = v) -> Any:
+            shifts = by_design @ step[own:count]
             shifted = np.array(parameters) + shifts[: len(parameters)]
-            edges = (ends + shifts[len(parameters) :])[ends > 0]
-            resists = {name: value + change for name, value, change in zip(present, laws, step[count:], strict=True)}
-            return _state(system, shifted, edges, resists, u * (1 + step[0]), v * (1 + step[1]))
+            edges = ends + shifts[len(parameters) :]
+            edges = edges[ends > 0] if system.force.odd else edges
+            resists = {name: value + change for name, value, change in zip(present, laws, step[count:], strict=False)}
+            motion = B + u * (step[2] if offset else 0), u * (1 + step[0]), v * (1 + step[1])
+            return _state(system, shifted, edges, resists, system.load + (step[-1] if offset else 0), *motion)
 
         by_all = np.array([at(1j * IMAGINARY * one).imag / IMAGINARY for one in np.eye(size)]).T
-        by_p_q = found.excitation.slopes(float(found.stiffness[row]), float(found.damping[row]))
-        matrix = 2 * np.eye(2) - by_p_q @ by_all[:2, :2]
+        k = float(found.stiffness[row])
+        by_p_q = found.excitation.slopes(k, float(found.damping[row]))
+        matrix = np.concatenate((2 * np.eye(2, own) - by_p_q @ by_all[:2, :own], by_all[3:, :own] / (k * u)))
         if not abs(np.linalg.det(matrix)) > SINGULAR:
             status[row], slopes[row] = GradientStatus.MEETS, math.nan
             continue
+        others_by = np.concatenate((by_p_q @ by_all[:2, own:], -by_all[3:, own:] / (k * u)))
         # I_0 and I_2 are in proportion to S_0, which nothing else depends on
-        own = np.concatenate((by_p_q @ by_all[:2, 2:], 1 / np.tile(power, (2, 1))), axis=1)
-        relative = np.linalg.solve(matrix, own)
-        of_a = by_all[2, :2] @ relative + np.append(by_all[2, 2:], np.zeros(len(power)))
-        slopes[row] = u * relative[0], v * relative[1], of_a / (2 * found.a_rms[row])
-    values = found.u_rms, found.v_rms, found.a_rms
-    return Gradient(("u_rms", "v_rms", "a_rms"), by, slopes, status, values, (*model.design, *laws, *power))
+        of_power = np.concatenate((1 / np.tile(power, (2, 1)), np.zeros((int(offset), len(power)))))
+        relative = np.linalg.solve(matrix, np.concatenate((others_by, of_power), axis=1))
+        of_a = by_all[2, :own] @ relative + np.append(by_all[2, own:], np.zeros(len(power)))
+        slopes[row] = [u * relative[0], v * relative[1], of_a / (2 * found.a_rms[row]), *u * relative[2:]]
+    values = found.u_rms, found.v_rms, found.a_rms, *(found.B,) * offset
+    of = ("u_rms", "v_rms", "a_rms", *("B",) * offset)
+    return Gradient(of, by, slopes, status, values, (*model.design, *laws, *(system.load,) * offset, *power))
 
 
-def _state(system: EquationOfMotion, parameters: Any, ends: Any, laws: dict[str, Any], u: Any, v: Any) -> Any:
-    """ln k, ln c and E[a^2], of complex numbers."""
-    means = np.zeros(3, complex)
+def _pieces(system: EquationOfMotion, ends: Any, reach: tuple[float, float]) -> tuple[Any, Any]:
+    """Pieces of the force and their edges, within a reach: about the centre those for u > 0."""
+    pieces = system.force.pieces[system.force.innermost :]
+    if system.centred:
+        return pieces, (0.0, *ends, reach[1])
+    if system.force.odd:
+        jumps = system.force.innermost  # then there is an edge at u = 0
+        mirrored = pieces[::-1] if jumps else pieces[:0:-1]
+        return mirrored + pieces, (reach[0], *(-end for end in reversed(ends)), *(0.0,) * jumps, *ends, reach[1])
+    return pieces, (reach[0], *ends, reach[1])
+
+
+def _state(
+    system: EquationOfMotion, parameters: Any, ends: Any, laws: dict[str, Any], load: Any, B: Any, u: Any, v: Any
+) -> Any:
+    """ln k, ln c and E[a^2], and off the centre E[f] - load, of complex numbers."""
+    means = np.zeros(4, complex)
     within: Any = 1.0
-    first = system.force.innermost
-    edges = (0.0, *ends, FARTHEST * u.real)
-    for piece, (low, high) in zip(system.force.pieces[first:], itertools.pairwise(edges), strict=True):
+    reach = B.real - FARTHEST * u.real, B.real + FARTHEST * u.real
+    pieces, edges = _pieces(system, ends, reach)
+    for piece, (low, high) in zip(pieces, itertools.pairwise(edges), strict=True):
 
         def integrand(x: Any, law: Any = piece.law) -> Any:
-            f = law.force(x, *parameters)
-            return np.array([x * f, f * f, np.ones_like(x)]) * np.exp(-0.5 * (x / u) ** 2) * math.sqrt(2 / math.pi) / u
+            f, y = law.force(x, *parameters) - load, x - B
+            density = np.exp(-0.5 * (y / u) ** 2) * math.sqrt((2 if system.centred else 0.5) / math.pi) / u
+            return np.array([y * f, f * f, np.ones_like(x), f]) * density
 
-        if low.real >= edges[-1]:
-            break
-        high = min(high, edges[-1], key=np.real)
+        low, high = (min(max(end, reach[0], key=np.real), reach[1], key=np.real) for end in (low, high))
         width = high.real - low.real
+        if width <= 0:
+            continue
         count = math.ceil(width / u.real)
         x = low.real + width * ((np.arange(count)[:, np.newaxis] + AT) / count).ravel()
         means += integrand(x) @ np.tile(WEIGHTS * width / count, count)
@@ -103,4 +126,5 @@ def _state(system: EquationOfMotion, parameters: Any, ends: Any, laws: dict[str,
     friction, viscous, _, _ = linearization.over_displacements(level, within, u, mu, zeta, zeta_2)
     c, _, _ = linearization.equivalent_damping(v, friction, viscous, c_2, c_3)
     of_a = means[1] + linearization.damping_force(level, within, u, v, mu, zeta, c_2, c_3, zeta_2)
-    return np.array([np.log(means[0] / u**2), np.log(c), of_a])
+    found = np.log(means[0] / u**2), np.log(c), of_a, means[3]
+    return np.array(found[: 3 + (not system.centred)])

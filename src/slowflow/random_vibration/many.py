@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from slowflow.answers.table import AVERAGING, QUESTIONS
+from slowflow.answers.table import AVERAGING, OFFSET, QUESTIONS
 from slowflow.averaged.batches import Batch
 from slowflow.averaged.chunks import blocks, map_chunks
 from slowflow.averaged.many import Designs, failed
@@ -22,7 +22,7 @@ from slowflow_kernels.conventions import Status
 
 #: designs in a chunk, which take some tenths of a second
 CHUNK = 2**13
-DAMPED_BY = "mu", "zeta", "c_2", "c_3", "zeta_2", "released"
+DAMPED_BY = "mu", "zeta", "c_2", "c_3", "zeta_2", "released", "load"
 
 
 def answer(designs: Designs, S_0: Any, psd: Any, places: int, workers: int = 1) -> Batch:
@@ -37,12 +37,14 @@ def answer(designs: Designs, S_0: Any, psd: Any, places: int, workers: int = 1) 
     own = {name: np.broadcast_to(value, shape).ravel().astype(float) for name, value in numbers.items()}
     found = QUESTIONS["random"].blank(AVERAGING, own["mu"].shape, place=places)
     (status := found["status"])[...] = Status.INVALID
-    valid = np.broadcast_to(designs.detachment(workers=workers).status != Status.INVALID, shape).ravel()
-    valid = valid & is_damped(own["mu"], own["zeta"], own.get("c_2", 0.0), released, S_0 is not None)
+    valid = np.broadcast_to(_are_designs(designs, workers), shape).ravel()
+    valid = valid & np.isfinite(own.get("load", 0.0))
+    valid &= is_damped(own["mu"], own["zeta"], own.get("c_2", 0.0), released, S_0 is not None)
     if S_0 is not None:
         valid &= np.isfinite(own["S_0"]) & (own["S_0"] > 0)
     laws = tuple(recurrences(law) for law in designs.mechanism.pieces)
-    together = valid & (_stiffness_is_finite(designs.mechanism, own) if None not in laws else False)
+    odd = designs.mechanism.odd and None not in laws
+    together = valid & (_stiffness_is_finite(designs.mechanism, own) if odd else False)
 
     def solve(part: tuple[Any, ...]) -> None:
         chunk = batched[part]
@@ -53,9 +55,8 @@ def answer(designs: Designs, S_0: Any, psd: Any, places: int, workers: int = 1) 
         power, table = (b"", excitation.for_C) if S_0 is None else (np.pi * some["S_0"], b"")
         EXACT.stationary_of_each(laws, constants, ends, damping, power, table, count, motions)
         first = np.where(ends > 0, ends, np.inf).min(axis=1, initial=np.inf, keepdims=True)
-        end = np.where(np.isfinite(first), first, np.nan)
         with np.errstate(invalid="ignore"):  # empty places
-            values = columns(motions, end)
+            values = columns(motions, (-first, first))
         for name, value in values.items():
             found[name][chunk] = value
         found["count"][chunk] = np.maximum(count, 0)
@@ -68,7 +69,7 @@ def answer(designs: Designs, S_0: Any, psd: Any, places: int, workers: int = 1) 
         one = {name: float(own[name][k]) for name in designs.values}
         try:
             of_one = excitation if S_0 is None else White(float(own["S_0"][k]))
-            motions = stationary(system_of(designs, one), of_one)
+            motions = stationary(system_of(designs, one, one.get("load", 0.0)), of_one)
         except (ValueError, ArithmeticError) as error:
             status[k] = failed(error)
             continue
@@ -77,7 +78,17 @@ def answer(designs: Designs, S_0: Any, psd: Any, places: int, workers: int = 1) 
         for name, value in motions.items():
             found[name][k, :count] = value[:places]
     found = {name: value.reshape((*shape, *value.shape[1:])) for name, value in found.items()}
-    return Batch("random", found, designs, power, remarks=np.zeros(shape, np.uint16))
+    system = OFFSET if "load" in designs.values else AVERAGING
+    return Batch("random", found, designs, power, system, remarks=np.zeros(shape, np.uint16))
+
+
+def _are_designs(designs: Designs, workers: int) -> Any:
+    """Whether the numbers are within their domains; of an asymmetric force that is found out singly."""
+    if not designs.mechanism.odd:
+        return True
+    numbers = {name: value for name, value in designs.values.items() if name != "load"}
+    centred = Designs(designs.mechanism, numbers, designs.excitation, designs.rubs)
+    return centred.detachment(workers=workers).status != Status.INVALID
 
 
 def _stiffness_is_finite(mechanism: Any, values: dict[str, Floats]) -> Any:

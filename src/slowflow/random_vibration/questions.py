@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from typing import Any
 
 import numpy as np
@@ -12,7 +11,7 @@ from slowflow.core import validate
 from slowflow.core.backend import EXACT
 from slowflow.core.mechanism import EquationOfMotion, Floats
 from slowflow.exact.motion import handle
-from slowflow.random_vibration.answers import RandomResponse
+from slowflow.random_vibration.answers import RandomResponse, crossings
 from slowflow.random_vibration.excitation import Excitation, Tabulated, White
 from slowflow.support.errors import NotSettled, Refused
 from slowflow.support.text import Sentence, text
@@ -25,13 +24,18 @@ UNDAMPED = text(
     0.0,
 )
 UNDECIDED = Sentence("there may be another equivalent linear oscillator next to {stiffness = :.4g}, {damping = :.4g}")
+#: over sigma_u where friction ends that acts throughout
+THROUGHOUT = 40.0
 #: of a stationary motion: `sf_stationary` of `native/exact/gaussian.h`
-NUMBERS = 7
+NUMBERS = 8
 #: up to these shares in the damping sigma_u and sigma_v were within 5 % of records of the motion: of friction
 #: throughout, of friction that ends, of c_2, c_3 and zeta_2; and from so many times the lowest frequency of the
 #: excitation to its highest one (docs/validity.md)
 MOST_DRY, MOST_ATTACHED, MOST_NONLINEAR, NARROW = 0.8, 0.5, 0.5, 4.0
 STUCK = "friction holds the mass nearly all of the time: no linear damping is equivalent to it"
+NOT_PUSHED_BACK = (
+    "random vibration about a mean needs a force that exceeds the load far from it on both sides: this spring gives way"
+)
 GIVES_WAY = "there is no equivalent linear oscillator: on average the spring pushes away from the centre, or gives way"
 SEVERAL = Sentence(
     "there are {count:d} equivalent linear oscillators: the motion switches between them, and its averages match none "
@@ -51,6 +55,17 @@ IN_A_BAND = (
     "the excitation is narrow-band, and the natural frequency of the motion moves in and out of the band: root mean "
     "squares may be off by 9 %, with stops by 25 %; measure() simulates the motion"
 )
+#: about a mean: up to this fraction of the mean square of the force that is not linear they were within 4 % of the
+#: exact density (docs/limits.md); by how many root mean squares equilibria are looked for
+MOST_CURVED, NEAR_MEAN = 0.1, np.linspace(-6.0, 6.0, 241)
+CURVED = Sentence(
+    "{curved:.2g} of the mean square of the force is not linear about the mean: above {most:g} the mean and root mean "
+    "squares may be off by more than 4 %; measure() follows the motion in time"
+)
+WELLS = (
+    "the force has several equilibria within reach of the motion, which switches between them: mean and root mean "
+    "squares about one of them may match none of its averages; measure() simulates it"
+)
 
 
 def random(oscillator: Any, system: EquationOfMotion, S_0: Any, psd: Any) -> RandomResponse:
@@ -66,9 +81,23 @@ def random(oscillator: Any, system: EquationOfMotion, S_0: Any, psd: Any) -> Ran
         NONLINEAR.format(float(nonlinear.max()), MOST_NONLINEAR, NEARER_NONLINEAR * white)
         if (nonlinear > MOST_NONLINEAR).any()
         else "",
+        "" if system.centred else _about_means(system, columns),
         IN_A_BAND if isinstance(excitation, Tabulated) and excitation.Omega[-1] < NARROW * excitation.Omega[0] else "",
     )
     return RandomResponse(**columns, message=message, excitation=excitation, system=system, _equation=oscillator)
+
+
+def _about_means(system: EquationOfMotion, columns: dict[str, Floats]) -> str:
+    """What to bear in mind of motions about a mean: equilibria within reach, a force that is far from linear."""
+    B, u, v, a, k = (columns[name] for name in ("B", "u_rms", "v_rms", "a_rms", "stiffness"))
+    above = system.force(B[:, np.newaxis] + u[:, np.newaxis] * NEAR_MEAN) > system.load
+    laws = system.mu, system.zeta, system.c_2, system.c_3, system.zeta_2
+    of_force = a**2 - linearization.damping_force(THROUGHOUT, 1.0, u, v, *laws)
+    curved = float((1 - (k * u) ** 2 / of_force).max())
+    return joined(
+        WELLS if (np.diff(above, axis=1).sum(axis=1) > 1).any() else "",
+        CURVED.format(curved, MOST_CURVED) if curved > MOST_CURVED else "",
+    )
 
 
 def excited_by(S_0: Any, psd: Any) -> Excitation:
@@ -86,13 +115,12 @@ def stationary(system: EquationOfMotion, excitation: Excitation) -> dict[str, Fl
         raise validate.NotAvailable(UNDAMPED)
     *left, found = EXACT.stationary(handle(system), excitation.for_C)
     if left[0] < 0:
-        raise NotSettled(STUCK)
+        raise NotSettled(STUCK if left[0] > -2 else NOT_PUSHED_BACK)
     if left[0]:
         raise NotSettled(UNDECIDED.format(*left))
     if not found:
         raise NotSettled(GIVES_WAY)
-    end = math.nan if (first := system.force.first_end) is None else first
-    return columns(np.frombuffer(found).reshape(-1, NUMBERS), end)
+    return columns(np.frombuffer(found).reshape(-1, NUMBERS), system.force.first_ends)
 
 
 def is_damped(mu: Any, zeta: Any, c_2: Any, released: bool, white: bool) -> Any:
@@ -100,10 +128,10 @@ def is_damped(mu: Any, zeta: Any, c_2: Any, released: bool, white: bool) -> Any:
     return (zeta != 0) | (mu != 0) & (white or not released) | (c_2 != 0) & white
 
 
-def columns(motions: Floats, end: Any) -> dict[str, Floats]:
-    """Columns of stationary motions, (..., NUMBERS), for the end of the force's first piece, NaN without one."""
-    u, v, square, k, c, dry, beyond = np.moveaxis(motions, -1, 0)
-    rate = linearization.crossings(end, u, v)
-    Omega = np.sqrt(k)
-    found = u, v, np.sqrt(square), k, c, Omega, c / (2 * Omega), np.where(np.isnan(end), end, beyond), rate, dry / c
+def columns(motions: Floats, ends: Any) -> dict[str, Floats]:
+    """Columns of stationary motions, (..., NUMBERS), for the ends of the force's first piece."""
+    mean, u, v, square, k, c, dry, beyond = np.moveaxis(motions, -1, 0)
+    Omega, none = np.sqrt(k), np.isinf(ends[0]) & np.isinf(ends[1])
+    rate = np.where(none, np.nan, crossings(ends, mean, u, v))
+    found = mean, u, v, np.sqrt(square), k, c, Omega, c / (2 * Omega), np.where(none, np.nan, beyond), rate, dry / c
     return dict(zip(RandomResponse.entry._fields, found, strict=True))

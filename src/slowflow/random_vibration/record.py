@@ -36,39 +36,47 @@ AT_ONCE = 20_000
 
 
 def measured(
-    system: EquationOfMotion, excitation: Excitation, k: Floats, c: Floats, samples: int, records: int, seed: int
+    system: EquationOfMotion,
+    excitation: Excitation,
+    k: Floats,
+    c: Floats,
+    near: float,
+    samples: int,
+    records: int,
+    seed: int,
 ) -> tuple[float, ...]:
-    """Columns of `MeasuredRandom`; k, c: of the equivalent linear oscillators."""
+    """Columns of `MeasuredRandom`; k, c: of the equivalent linear oscillators, near: the mean of the first one."""
     records = validate.count("records", records, least=2)
     each = validate.count("samples", samples, least=100 * records) // records
     step, top = steps(excitation, float(k.max()), c)
     before = math.ceil(BEFORE / (step * float(c.min())))
     system = replace(system, inertial=False)
-    end = system.force.first_end
+    below, above = system.force.first_ends
     random = np.random.default_rng(seed)
     sums = []
     for _ in range(records):
         w = process(excitation, step, top, each + before, random)
-        u, v = followed(system, w, step)[:, before:]
+        u, v = followed(system, w, step, near)[:, before:]
         a = accelerations(system, u, v, w[before + 1 :])
-        sums.append(
-            [
-                np.mean(u**2),
-                np.mean(v**2),
-                np.mean(a**2),
-                math.nan if end is None else np.mean(np.abs(u) > end),
-                np.mean(u**4),
-            ]
-        )
-    means = np.mean(sums, axis=0)
+        y = u - near
+        sums.append([np.mean(one) for one in (v**2, a**2, (u < below) | (u > above), y, y**2, y**3, y**4)])
     # the distribution of a mean of few numbers (Student): SciPy's special functions are quick to load
     from scipy.special import stdtrit
 
-    off = float(stdtrit(records - 1, 0.975)) * np.std(sums, axis=0, ddof=1) / math.sqrt(records)
-    u, v, a = rms = np.sqrt(means[:3])
-    u_margin, v_margin, a_margin = off[:3] / (2 * rms)
-    averaged = means[3], means[4] / means[0] ** 2
-    return tuple(map(float, (u, v, a, u_margin, v_margin, a_margin, *averaged, records * each * step)))
+    student = float(stdtrit(records - 1, 0.975)) / math.sqrt(records)
+    v_2, a_2, beyond, *moments = np.mean(sums, axis=0)
+    off = 0.0 if system.centred else moments[0]
+    _, y_2, y_3, y_4 = moments
+    squares = np.array([y_2 - off**2, v_2, a_2])
+    fourth = y_4 - 4 * off * y_3 + 6 * off**2 * y_2 - 3 * off**4
+    each_off, each_v, each_a = np.array(sums)[:, [3, 0, 1]].T
+    each_u = np.array(sums)[:, 4] - 2 * off * each_off
+    rms = np.sqrt(squares)
+    margins = student * np.std([each_u, each_v, each_a], axis=1, ddof=1) / (2 * rms)
+    B_margin = 0.0 if system.centred else student * np.std(each_off, ddof=1)
+    fraction = math.nan if math.isinf(below) and math.isinf(above) else beyond
+    averaged = fraction, fourth / squares[0] ** 2, records * each * step
+    return tuple(map(float, (near + off, *rms, B_margin, *margins, *averaged)))
 
 
 def steps(excitation: Excitation, k: float, c: Floats) -> tuple[float, float]:
@@ -97,9 +105,9 @@ def process(excitation: Excitation, step: float, top: float, count: int, random:
     return np.fft.irfft(terms, size)[: count + 1]
 
 
-def followed(system: EquationOfMotion, w: Floats, step: float) -> Floats:
-    """u and v at the end of each step, from rest at the centre, (2, n). Raises ArithmeticError where it is lost."""
-    oscillator, u, v, pieces = handle(system), 0.0, 0.0, []
+def followed(system: EquationOfMotion, w: Floats, step: float, u: float = 0.0) -> Floats:
+    """u and v at the end of each step, from rest at u, (2, n). Raises ArithmeticError where it is lost."""
+    oscillator, v, pieces = handle(system), 0.0, []
     for first in range(0, w.size - 1, AT_ONCE):
         some = w[first : first + AT_ONCE + 1]
         # w pushes as a base does that is accelerated by -w
@@ -115,4 +123,4 @@ def followed(system: EquationOfMotion, w: Floats, step: float) -> Floats:
 
 def accelerations(system: EquationOfMotion, u: Floats, v: Floats, w: Floats) -> Any:
     """Of the mass as seen by who stands still, where the base is what pushes: it goes with the base where it sticks."""
-    return np.where(v == 0, w, system.force(u) + damping_force(system, u, v))
+    return np.where(v == 0, w, system.force(u) - system.load + damping_force(system, u, v))

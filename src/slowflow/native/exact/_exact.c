@@ -9,7 +9,7 @@
 #include "taylor.h"
 #include "gaussian.h"
 #include "interpreted.h"
-#include "linearized.h"
+#include "offset.h"
 #include "polynomials.h"
 #include "shock.h"
 #include "trace.h"
@@ -515,7 +515,7 @@ static PyObject *shocks(PyObject *self, PyObject *arguments)
     return done_with(&of, fit);
 }
 
-enum { SF_MOST_MOTIONS = 64 };
+enum { SF_MOST_MOTIONS = 64, SF_DAMPED_BY = 7 };
 
 /* An sf_gaussian at each of several sigma, as bytes */
 static PyObject *averages(PyObject *self, PyObject *arguments)
@@ -593,10 +593,9 @@ static PyObject *stationary(PyObject *self, PyObject *arguments)
     if (power == 0.0 && PyObject_GetBuffer(excitation, &table, PyBUF_SIMPLE) < 0)
         return NULL;
     Py_BEGIN_ALLOW_THREADS
-    if (power > 0.0)
-        sf_white(system, power, &found);
-    else if (!sf_tabulated(system, table.buf, &found))
-        found.undecided[0] = -1.0;
+    const int outcome = sf_motions_of(system, power, table.buf, &found);
+    if (outcome < 1)
+        found.undecided[0] = outcome - 1.0;
     Py_END_ALLOW_THREADS
     PyBuffer_Release(&table);
     if (found.count > found.max_count)
@@ -605,8 +604,8 @@ static PyObject *stationary(PyObject *self, PyObject *arguments)
                          found.count * (Py_ssize_t)sizeof(sf_stationary));
 }
 
-/* The same of designs under white noise or a table, for each mu, zeta, c_2, c_3, zeta_2 and whether friction ends at the
- * first breakpoint, and the power; out come how many there are, -1 where that is undecided, and places for these. */
+/* The same of designs under white noise or a table, for each mu, zeta, c_2, c_3, zeta_2, whether friction ends at the
+ * first breakpoint and load, and the power; out come how many there are, -1 where that is undecided, and places for these. */
 static PyObject *stationary_of_each(PyObject *self, PyObject *arguments)
 {
     (void)self;
@@ -618,19 +617,17 @@ static PyObject *stationary_of_each(PyObject *self, PyObject *arguments)
         return NULL;
     const Py_ssize_t count = counts.len, one = (Py_ssize_t)sizeof(double);
     const Py_ssize_t max_count = count ? out.len / count / (Py_ssize_t)sizeof(sf_stationary) : 0;
-    const int fit = designs_fit(&of, laws, count) && (table.len || power.len == count * one) && damping.len == 6 * count * one &&
+    const int fit = designs_fit(&of, laws, count) && (table.len || power.len == count * one) && damping.len == SF_DAMPED_BY * count * one &&
                     out.len == count * max_count * (Py_ssize_t)sizeof(sf_stationary);
     if (fit) {
         Py_BEGIN_ALLOW_THREADS
         for (Py_ssize_t k = 0; k < count; k++) {
-            const double *const own = (const double *)damping.buf + 6 * k;
+            const double *const own = (const double *)damping.buf + SF_DAMPED_BY * k;
             sf_system system = design(&of, k, own);
-            system.c_2 = own[2], system.c_3 = own[3], system.zeta_2 = own[4], system.released = own[5] != 0.0;
+            system.c_2 = own[2], system.c_3 = own[3], system.zeta_2 = own[4], system.released = own[5] != 0.0, system.load = own[6];
             sf_motions found = {.max_count = (int)max_count, .at = (sf_stationary *)out.buf + k * max_count};
-            if (table.len && !sf_tabulated(&system, table.buf, &found))
+            if (sf_motions_of(&system, table.len ? 0.0 : ((const double *)power.buf)[k], table.buf, &found) < 1)
                 found.undecided[0] = -1.0;
-            if (!table.len)
-                sf_white(&system, ((const double *)power.buf)[k], &found);
             ((signed char *)counts.buf)[k] = (signed char)(found.undecided[0] != 0.0 ? -1 : found.count);
         }
         Py_END_ALLOW_THREADS

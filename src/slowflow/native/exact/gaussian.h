@@ -309,10 +309,11 @@ static int sf_changes(const sf_positive *force, double square)
     return changes < 2 ? changes : 2;
 }
 
-/* A stationary motion: root mean squares of u and v, mean square of what the spring and the damping push with, k, c, what of
- * that is dry friction's, and P(|u| > first breakpoint). Python reads this layout. */
+/* A stationary motion: mean of u, root mean squares of u about it and of v, mean square of what the spring and the damping push
+ * with, k, c, what of that is dry friction's, and the share of the time beyond the first breakpoint on either side. Python
+ * reads this layout. */
 typedef struct {
-    double u, v, square, k, c, dry, beyond;
+    double mean, u, v, square, k, c, dry, beyond;
 } sf_stationary;
 
 /* Motions that are found. max_count: room for so many; count: of all that there are; undecided: k and c next to which there
@@ -329,17 +330,20 @@ typedef struct {
     double mu, zeta, mu_slope, zeta_slope, level, within;
 } sf_over_u;
 
-/* of the first piece; infinite without another one */
-static inline double sf_first_end(const sf_system *system)
+/* of the piece about u = 0, on either side; infinite without another one */
+static inline void sf_first_ends(const sf_system *system, double ends[2])
 {
-    const int first = system->about + 1 + (system->jump != 0.0);
-    return first < system->pieces ? system->edge[first] : HUGE_VAL;
+    const int width = system->jump != 0.0, below = system->about - width, above = system->about + 1 + width;
+    ends[0] = below > 0 ? system->edge[below] : -HUGE_VAL;
+    ends[1] = above < system->pieces ? system->edge[above] : HUGE_VAL;
 }
 
 static sf_over_u sf_damping_over_u(const sf_system *system, double sigma)
 {
-    const double end = system->released ? sf_first_end(system) : HUGE_VAL;
-    const double level = fmin(end / sigma, SF_FARTHEST), within = erf(level * 0.70710678118654752);
+    double ends[2] = {-HUGE_VAL, HUGE_VAL};
+    if (system->released)
+        sf_first_ends(system, ends);
+    const double level = fmin(ends[1] / sigma, SF_FARTHEST), within = erf(level * 0.70710678118654752);
     double of[4];
     linearization_over_displacements(level, within, sigma, system->mu, system->zeta, system->zeta_2, of);
     return (sf_over_u){of[0], of[1], of[2], of[3], level, within};
@@ -350,18 +354,20 @@ static inline void sf_equivalent_damping(const sf_system *system, double v, doub
     linearization_equivalent_damping(v, mu, zeta, system->c_2, system->c_3, c);
 }
 
-static void sf_put_motion(const sf_system *system, sf_motions *to, const sf_gaussian *at, double v, double k)
+/* square: of the spring's force */
+static void sf_put_motion(const sf_system *system, sf_motions *to, double mean, double sigma, double square, double v, double k)
 {
     if (to->count++ >= to->max_count)
         return;
-    const sf_over_u of = sf_damping_over_u(system, at->sigma);
-    double c[3];
+    const sf_over_u of = sf_damping_over_u(system, sigma);
+    double c[3], ends[2];
     sf_equivalent_damping(system, v, of.mu, of.zeta, c);
-    const double resists = linearization_damping_force(of.level, of.within, at->sigma, v, system->mu, system->zeta,
+    const double resists = linearization_damping_force(of.level, of.within, sigma, v, system->mu, system->zeta,
                                                        system->c_2, system->c_3, system->zeta_2);
-    to->at[to->count - 1] = (sf_stationary){
-        at->sigma, v, at->square + resists, k, c[0], c[2],
-        erfc(sf_first_end(system) / at->sigma * 0.70710678118654752)};
+    sf_first_ends(system, ends);
+    const double over = 0.70710678118654752 / sigma;
+    const double beyond = 0.5 * (erfc((mean - ends[0]) * over) + erfc((ends[1] - mean) * over));
+    to->at[to->count - 1] = (sf_stationary){mean, sigma, v, square + resists, k, c[0], c[2], beyond};
 }
 
 static inline sf_ends sf_ends_of_product(sf_ends a, sf_ends b)
@@ -476,7 +482,7 @@ static void sf_put_balanced(const sf_balances *of, double low, double high, int 
 {
     const sf_gaussian at = sf_balanced(of, low, high, rises, from);
     const sf_level level = sf_level_at(of, at.sigma); /* E[u f] itself cancels where a spring pushes away from 0 */
-    sf_put_motion(of->system, of->found, &at, level.v, level.square / (at.sigma * at.sigma));
+    sf_put_motion(of->system, of->found, 0.0, at.sigma, at.square, level.v, level.square / (at.sigma * at.sigma));
 }
 
 static void sf_search_balances(sf_balances *of, const sf_gaussian *a, const sf_gaussian *b)

@@ -432,7 +432,7 @@ static void sf_put_stationary(sf_linearized *of, const sf_gaussian *a, const sf_
         near = fabs(excess) < SF_AS_NEAR ? SF_NEAREST : SF_AS_NEAR;
         at = sf_averages(of->force, last || (next > low && next < high) ? next : sqrt(low * high));
     }
-    sf_put_motion(of->excited->system, of->found, &at, exp(0.5 * damped.moments.value[1]), exp(damped.p));
+    sf_put_motion(of->excited->system, of->found, 0.0, at.sigma, at.square, exp(0.5 * damped.moments.value[1]), exp(damped.p));
 }
 
 /* The stiffness in a cell, and its slope by ln(sigma): from its averages, and from what f/u is up to there. Where that does not
