@@ -110,7 +110,7 @@ def section_3_1(facts: Facts) -> dict[str, Verdict]:
         "H_1_continuous": by_formula(facts, "(21), no breakpoint reached", "H_1"),
         "H_2_intervals": (
             LOOSE,
-            "Four intervals, and (22) is right. But the two bullets below the sentence, as our text has them, give |u| "
+            "Four intervals, and (22) is right. But the two bullets below the sentence, as in our copy, assign |u| "
             "> u_cr to [ψ_0, π − ψ_0] and [π + ψ_0, 2π − ψ_0]. There |A cos ψ| < u_cr: at ψ = π/2 it is 0. (22) "
             "follows with the bullets exchanged.",
         ),
@@ -173,7 +173,7 @@ def section_3_2(facts: Facts) -> dict[str, Verdict]:
         "jacobian": by_formula(facts, "(28)", "D_q_Gamma"),
         "trace_negative": (
             FALSE,
-            "A negative trace bounds the sum of the eigenvalues, not each: where det < 0, which (30) is there to find, "
+            "A negative trace bounds the sum of the eigenvalues, not each: where det < 0, which (30) detects, "
             f"one is positive. {found}",
         ),
         "no_hopf": (TRUE, "A Hopf bifurcation needs tr = 0; tr = −2ζ − 2μ/(πΩA) < 0."),
@@ -228,7 +228,7 @@ def section_3_3(facts: Facts) -> dict[str, Verdict]:
             "Only at F_0 = F_SN, and only if the root A_s lies below u_cr. It does if and only if F_A < 0 at u_cr and "
             "the least Ω > 0 with F_AA = 0, h_1 being the average; otherwise (33) has no root that is a point of the "
             "response. And F_SN of (33) is the onset only up to F_0 = 4μ/π + 2ζ√(−u_cr h_1(u_cr)), where the backbone "
-            "reaches u_cr: from there on folds sit on the corner that the jump of (6) makes. With the other "
+            "reaches u_cr: from there on folds lie on the corner that the jump of (6) makes. With the other "
             f"parameters of Table 1 the first condition holds from δ_h = {few(attached)}/(λr) on, both hold from δ_h = "
             f"{few(lowest)}/(λr) on; Table 1 has 1/(2λr).",
         ),

@@ -78,8 +78,8 @@ def _qualitative(rows: Rows) -> str:
     stopping = next(row for row in rows if row["stops below"])
     errors = listed(f"{percent(row['averaged']['off'])} at {row['ratio']:g}" for row in rows)
     return (
-        f"{HERE}: for {_span(rows)} both curves rise up to Ω = 1 and fall beyond. In size the averaged amplitude is "
-        f"off by up to {errors}. That the mass stops within the cycle (at {stopping['ratio']:g} below Ω = "
+        f"{HERE}: for {_span(rows)} both curves rise up to Ω = 1 and fall beyond. The averaged amplitude "
+        f"is off by up to {errors}. That the mass stops within the cycle (at {stopping['ratio']:g} below Ω = "
         f"{stopping['stops below']:.2g}, with more friction on both sides) is not captured."
     )
 

@@ -140,7 +140,7 @@ def _findings(facts: Facts, evidence: dict[str, str]) -> list[Finding]:
         Finding(
             "Table 2, row F_cr: computed at F_0 = 0.0300, and its jump-down is not at u_cr",
             (entry(3, "jump_up_Omega"), entry(3, "jump_down_Omega"), entry(3, "jump_down_A")),
-            f"F_cr is {significant(example.detachment.F_0)}. The row holds the folds at 0.0300: Ω = "
+            f"F_cr is {significant(example.detachment.F_0)}. The row contains the folds at 0.0300: Ω = "
             f"{rounded(rounded_row['jump-up'].Omega, 6)} and {rounded(rounded_row['jump-down'].Omega, 6)}; at F_cr "
             f"they are {rounded(facts.fold('F_cr', 'jump-up').Omega, 6)} and "
             f"{rounded(facts.fold('F_cr', 'jump-down').Omega, 6)}. " + evidence[entry(3, "jump_down_A")],
@@ -149,8 +149,8 @@ def _findings(facts: Facts, evidence: dict[str, str]) -> list[Finding]:
             f"Table 2: the amplitudes were read off a mesh of step 1/{MESH}",
             (entry(4, "jump_up_A"), entry(5, "jump_up_A")),
             f"Every printed amplitude is a mesh value: {printed}. Each is the point of the mesh where Ω along the "
-            "response is extremal. Near a fold Ω depends on A by its square only, so that the frequencies hold to four "
-            "digits while the amplitudes are off by up to half a step; the two that round differently are "
+            "response is extremal. Near a fold Ω depends on A by its square only, so the frequencies are correct to "
+            "four digits while the amplitudes are off by up to half a step; the two that round differently are "
             f"{evidence_pair(facts)}.",
         ),
         judged("Table 2, 0.040: the jump-down frequency is 0.99385, printed 0.9938", entry(4, "jump_down_Omega")),

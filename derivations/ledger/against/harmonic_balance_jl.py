@@ -103,8 +103,8 @@ def claims(derived: Derived) -> Claims:
     return {
         "higher_orders": (
             TRUE if all(order(off, k) == 0 for k in range(3)) else FALSE,
-            "With α alone, the second order and its change of variables give the free oscillation whose largest "
-            f"displacement is A the frequency {sp.sstr(series)}: the series of the exact one, π√(ω₀² + αA²)/(2K), to "
-            "that order, proved.",
+            "With α alone, the second order and its change of variables give, for the free oscillation with the "
+            f"largest displacement A, the frequency {sp.sstr(series)}: the series of the exact one, "
+            "π√(ω₀² + αA²)/(2K), to that order, proved.",
         )
     }

@@ -56,6 +56,6 @@ def claims(derived: Derived) -> Claims:
             "F (24) is quadratic in Ω². Both zeros are positive only between the amplitude at Ω → 0, where their "
             "product vanishes, and the peak, where their difference does. With the example's numbers these are a = "
             f"{significant(least, 4)} and {significant(most, 4)}, both within its samples from {LEAST} to {MOST}. "
-            "Below there is one frequency, above none; the program discards complex roots.",
+            "Below this range there is one frequency, above it none; the program discards complex roots.",
         )
     }

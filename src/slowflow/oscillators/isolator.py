@@ -92,8 +92,8 @@ class Isolator(Oscillator):
     excitation -- "force", "base" or "unbalance", as in `Oscillator`
     load -- static load in addition to that on the vertical spring at the centre, over k_v L, as in `Oscillator`
 
-    For delta_h > 1/(lam r) the stiffness at rest is negative; a warning says so. Raises ValueError for a number
-    outside its domain, and for an unknown force.
+    For delta_h > 1/(lam r) the stiffness at the centre is negative, and a warning is issued. Raises ValueError for a
+    number outside its domain, and for an unknown force.
     """
 
     lam: float
