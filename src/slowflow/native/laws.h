@@ -228,10 +228,11 @@ static inline double sf_law_root(const sf_law_polynomial *q, double low, double 
     return w;
 }
 
-/* How many there are; negative where squares of h are beyond the range of doubles. */
+/* How many there are; negative where squares of the coefficients are beyond the range of doubles. */
 static inline int sf_law_count(const sf_law_polynomial *q) {
     sf_place place[3];
-    return q->c[4] < HUGE_VAL ? sf_places(q->exist, q->f[0] < 0, q->f[1] > 0, q->f[2] < 0, place) : -1;
+    const double squares = q->c[2] * q->c[2] + fabs(q->c[4] * q->f[0]);
+    return squares < HUGE_VAL ? sf_places(q->exist, q->f[0] < 0, q->f[1] > 0, q->f[2] < 0, place) : -1;
 }
 
 static inline double sf_law_Omega(const sf_law_polynomial *q, double w) { return q->by_x ? q->unit / w : w; }
