@@ -62,6 +62,9 @@ def physical(mount: Physical) -> None:
     reveal_type(mount.peak(5).A)
     reveal_type(mount.saddle_node_onset().F_SN)
     reveal_type(mount.steady_state(f=3, F=5).t)
+    reveal_type(mount.many(m=[11.0, 12.0]).peak(F=[5.0, 6.0]).A)
+    reveal_type(mount.many(m=[11.0, 12.0]).amplitudes(f=3, F=5, places=2).answer)
+    reveal_type(mount.many(m=[11.0, 12.0]).random(psd=([1.0, 50.0], [1e-4, 1e-6])).x_rms)
 
 def wrong(iso: Isolator, mount: Physical) -> None:
     iso.saddle_nodes("x")  # wrong
@@ -71,6 +74,8 @@ def wrong(iso: Isolator, mount: Physical) -> None:
     mount.amplitudes(f=None, F=5)  # wrong
     mount.frequency_response(5, f="ab")  # wrong
     mount.saddle_nodes(F=[5])  # wrong
+    mount.many(m=[11.0, 12.0]).peak(G=5)  # wrong
+    mount.many(m=[11.0, 12.0]).amplitudes(F=5)  # wrong
 """
 
 

@@ -92,6 +92,7 @@ class ManyQuantities(Quantities, Many):
     Columns with an additional axis, of entries, points or rows, and statuses are those of the `Batch`.
     """
 
+    answer: Batch
     numbers: Mapping[str, Any] = dataclasses.field(default_factory=dict, repr=False)
 
     def __post_init__(self) -> None:
