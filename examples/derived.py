@@ -1,4 +1,4 @@
-"""A mechanism of one's own from its force alone: a soft mount with an elastic stop, derived here and compiled."""
+"""A custom mechanism, defined by its force alone: a soft mount with an elastic stop, derived here and compiled."""
 
 import sympy as sp
 
@@ -11,7 +11,7 @@ stop = derive.mechanism(
     parameters={
         "soft": {"above": 0, "doc": "stiffness of the mount", "unit": "k_v"},
         "hard": {"above": 0, "doc": "stiffness of the stop", "unit": "k_v"},
-        "gap": {"above": 0, "doc": "way to the stop", "unit": "L"},
+        "gap": {"above": 0, "doc": "gap to the stop", "unit": "L"},
     },
     compile=True,
 )

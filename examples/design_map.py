@@ -1,4 +1,4 @@
-"""A map of designs: the force that makes each isolator jump, and the force that lifts its springs, in one call each."""
+"""A map of designs: the force above which each isolator jumps, and that which detaches its springs, in a call each."""
 
 import numpy as np
 
@@ -16,7 +16,7 @@ for name, found in (("F_SN", onset.F_SN), ("F_cr", detachment.F_cr)):
         print(f"r={r[k, 0]:4.1f}" + "".join(f"{value:10.4f}" for value in row))
     print()
 
-# a design without an answer has NaN and a status that says why: 0 is an answer, 3 "there is none"
+# a design without a result has NaN and a status with the reason: 0 is a result, 3 means that none exists
 answered = (onset.status == 0) & (detachment.status == 0)
 first = np.count_nonzero(onset.F_SN[answered] < detachment.F_cr[answered])
 print(f"{first} of {np.count_nonzero(answered)} designs jump before their springs detach")

@@ -1,4 +1,4 @@
-"""A force of one's own, as a record: a spring with elastic stops behind a gap. It answers what the isolator answers."""
+"""A custom force defined by hand: a spring with elastic stops behind a gap. It has the functions of the isolator."""
 
 import numpy as np
 
@@ -17,12 +17,12 @@ def averaged(A, s, gap):
 
 
 def intercept(A, s, gap):
-    """h - A h_A, in which the linear parts are gone."""
+    """h - A h_A, in which the linear terms cancel."""
     c = gap / np.maximum(A, gap)
     return 4 * s / np.pi * gap * np.sqrt((1 - c) * (1 + c))
 
 
-NUMBERS = (Parameter("s", "stiffness of a stop", "k_v", above=0.0), Parameter("gap", "way to a stop", "L", above=0.0))
+NUMBERS = (Parameter("s", "stiffness of a stop", "k_v", above=0.0), Parameter("gap", "gap to a stop", "L", above=0.0))
 STOPS = Mechanism(
     name="stops", title="a spring with elastic stops behind a gap", design=NUMBERS, parameters=NUMBERS,
     coefficients=lambda s, gap: (s, gap),

@@ -1,4 +1,4 @@
-"""A map of designs in a store on disk, block by block: stopped anywhere, run again, it goes on where it was.
+"""A map of designs in a store on disk, block by block: after an interruption, run it again to resume.
 
 Needs `pip install 'slowflow[grid]'`. With `dask.distributed.Client(...)` before it the blocks go to a cluster.
 """
@@ -22,7 +22,7 @@ preload = axis("preload", np.linspace(0.1, 0.9, 17))  # relative to the preload 
 mu = axis("mu", np.array([0.0, 0.01, 0.02]))
 designs = Isolator.many(lam=3, r=r, delta_h=preload / (3 * r), mu=mu, zeta=0.02)
 
-with tempfile.TemporaryDirectory() as folder:  # a map that is kept gets a permanent path
+with tempfile.TemporaryDirectory() as folder:  # give a map that you keep a permanent path
     onset = designs.store(Path(folder) / "onset.zarr", "saddle_node_onset")
     print(f"{onset.attrs['question']} of {onset.attrs['mechanism']}, slowflow {onset.attrs['slowflow']}")
     print(", ".join(f"{name}: {size}" for name, size in onset.sizes.items()))

@@ -16,7 +16,7 @@ print(f"jumps begin at F_SN = {onset.F_SN:.4f}, Omega = {onset.Omega:.4f}, A = {
 print(f"\nat F_0 = {F_0}:")
 folds = isolator.saddle_nodes(F_0)
 for kind, Omega, A, error in zip(folds.kind, folds.Omega, folds.A, folds.validity.error, strict=True):
-    # 95 of 100 states like this one are closer to the equation of motion; below 1 % the measurement does not tell
+    # 95 of 100 states like this one are closer to the equation of motion; errors below 1 % are not resolved
     print(f"{kind:9} at Omega = {Omega:.4f}, A = {A:.4f}, A good to {max(error, 0.01):.0%}")
 
 curve = isolator.frequency_response(F_0)

@@ -1,1 +1,1 @@
-"""The paper: Table 2 beside its derivation, and its figures: `python -m examples.paper`."""
+"""The paper: Table 2 compared with its derivation, and its figures: `python -m examples.paper`."""

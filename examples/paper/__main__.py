@@ -1,4 +1,4 @@
-"""Table 2 published, derived and judged, with Fig. 7; with --figures each figure of the paper, and what was chosen."""
+"""Table 2, published and derived, with verdicts, and Fig. 7; with --figures all figures and their parameters."""
 
 from __future__ import annotations
 

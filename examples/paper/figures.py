@@ -101,7 +101,7 @@ def figure_2a(ax: Any, ratios: tuple[float, ...] = RATIOS_2A) -> None:
 
 
 def figure_2b(ax: Any, ratios: tuple[float, ...] = RATIOS_2B) -> None:
-    """The averaged curve over the exact one of the same, truncated force."""
+    """The averaged curve on top of the exact one, both of the truncated force."""
     for ratio, colour in zip(ratios, COLOURS, strict=False):
         isolator = example.isolator(mu=ratio * F_0, zeta=ZETA)
         band(ax, isolator.exact_response(F_0, Omega=(0.4, 1.4), force="truncated"), colour)
@@ -114,7 +114,7 @@ def figure_2b(ax: Any, ratios: tuple[float, ...] = RATIOS_2B) -> None:
 
 
 def figure_3a(ax: Any) -> None:
-    """The response for several stiffness ratios: u_cr stays."""
+    """The response for several stiffness ratios; u_cr does not depend on them."""
     _responses(ax, ((f"{r:.3g}", isolator(r=r)) for r in STIFFNESS_3A), "$r$")
 
 
@@ -127,13 +127,13 @@ def figure_3b(ax: Any) -> None:
 
 
 def figure_4a(ax: Any) -> None:
-    """The response with dry friction alone, which no friction below pi F_0/4 bounds."""
+    """The response with dry friction alone, unbounded for any friction below pi F_0/4."""
     _responses(ax, ((f"{mu:g}", isolator(mu=mu, zeta=0.0)) for mu in FRICTIONS_4A), r"$\mu$")
     ax.set_ylim(0.0, 1.0)
 
 
 def figure_4b(ax: Any) -> None:
-    """The response with both, and the limit envelope (27) of each, dotted."""
+    """The response with viscous damping and dry friction, and the limit envelope (27) of each, dotted."""
     these = [(rf"{zeta:g}, {mu:g}", isolator(mu=mu, zeta=zeta)) for zeta, mu in DAMPINGS_4B]
     _responses(ax, these, r"$\zeta$, $\mu$", more=[(_dotted(), "limit envelope (27)")])
     Omega, top = np.linspace(*NEAR_RESONANCE, POINTS), ax.get_ylim()[1]
@@ -143,24 +143,24 @@ def figure_4b(ax: Any) -> None:
 
 
 def figure_5a(ax: Any) -> None:
-    """F_cr over the preload up to quasi-zero stiffness for several dampings."""
+    """F_cr over the preload up to quasi-zero stiffness for several damping ratios."""
     _detachments(ax, ((f"{zeta:g}", {"mu": FRICTION_5, "zeta": zeta}) for zeta in ZETAS_5A), r"$\zeta$")
 
 
 def figure_5b(ax: Any) -> None:
-    """The same for several frictions."""
+    """The same for several friction forces."""
     _detachments(ax, ((f"{mu:g}", {"mu": mu, "zeta": ZETA}) for mu in FRICTIONS_5B), r"$\mu$")
 
 
 def figure_6a(ax: Any) -> None:
-    """u_cr over the preload, Table 1's marked; beyond it the push-rod detaches."""
+    """u_cr over the preload, with that of Table 1 marked; beyond it the springs detach."""
     delta_h = _preloads(TABLE_1["r"])
     found = Isolator.many(**{**TABLE_1, "delta_h": delta_h}).detachment()
     _critical(ax, delta_h, found.u_cr, example.isolator().u_cr, "critical displacement $u_{cr}$")
 
 
 def figure_6b(ax: Any) -> None:
-    """F_cr over the preload, Table 1's marked; beyond it the push-rod detaches."""
+    """F_cr over the preload, with that of Table 1 marked; beyond it the springs detach."""
     delta_h = _preloads(TABLE_1["r"])
     found = Isolator.many(**{**TABLE_1, "delta_h": delta_h}).detachment()
     _critical(ax, delta_h, found.F_cr, example.isolator().detachment().F_cr, label("F_cr"))

@@ -1,4 +1,4 @@
-"""The paper's example beside slowflow's. Takes the ledger; returns Table 2 with verdicts.
+"""The paper's example compared with slowflow's results. Takes the ledger; returns Table 2 with verdicts.
 
 The numbers are the runtime's; the verdicts are the ledger's, which has the same numbers certified. Where the two
 disagree the report fails.
@@ -25,7 +25,7 @@ ENTRIES = (("jump-up", "jump_up"), ("jump-down", "jump_down"))
 
 @dataclass(frozen=True)
 class Row:
-    """One published number beside ours: `printed` as in the paper, `derived` the runtime's, `verdict` the ledger's."""
+    """One published number and ours: `printed` as in the paper, `derived` the runtime's, `verdict` the ledger's."""
 
     what: str
     printed: str

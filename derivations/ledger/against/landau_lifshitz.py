@@ -106,6 +106,7 @@ def claims(derived: Derived) -> Claims:
     return {
         "inflection": (
             TRUE,
-            "At the onset the first two derivatives of the squared forcing by A² vanish, proved: two folds have met.",
+            "At the onset the first two derivatives of the squared forcing with respect to A² vanish, proved: "
+            "two folds have met.",
         )
     }

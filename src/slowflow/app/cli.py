@@ -346,7 +346,7 @@ def parser() -> argparse.ArgumentParser:
     option = command(
         certify,
         "certify",
-        "prove all folds at a forcing, F_SN and F_cr, each in an interval; exit code 1 if one is not proved",
+        "prove all folds at a force amplitude, F_SN and F_cr, each in an interval; exit code 1 if one is not proved",
         "Proofs for an isolator in interval arithmetic. Omitted parameters are those of Table 1 of the paper.",
     )
     option("F_0", type=float, help="forcing amplitude over k_v L")

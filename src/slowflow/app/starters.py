@@ -29,13 +29,13 @@ zeta = 0.02             # damping ratio; or c, in N s/m
 [ask]
 F = [3.0, 5.0]          # force amplitudes, N
 f = [5.0]               # frequencies, Hz, for "amplitudes"
-window = [0.5, 6.0]     # frequencies shown of a response, Hz
+window = [0.5, 6.0]     # frequency range of response curves, Hz
 questions = [
     "at_rest",              # natural frequency, stroke, break-loose force
     "saddle_node_onset",    # lowest force with jumps
     "detachment",           # lowest force that detaches the springs
     "saddle_nodes",         # jump frequencies
-    "margins",              # margins of each force to these
+    "margins",              # margins of each force against these
     "hysteresis",           # frequency bands with several motions
     "isolation",            # frequency above which it transmits less than the force
     "peak",
