@@ -80,7 +80,7 @@ def formulas(derived: Derived) -> dict[str, Judge]:
             phase_rate,
             of("a", "gamma", "sigma", "alpha", "F", "omega_0"),
             rewriting=SCALED,
-            remark="The forcing's term has the wrong sign. With it the response of a linear oscillator would lag by "
+            remark="The forcing term has the wrong sign. With it the response of a linear oscillator would lag by "
             "less than a quarter of a cycle above its resonance. The frequency response has the term squared.",
         ),
         "response": equal(

@@ -146,7 +146,7 @@ def meet_scene(args: argparse.Namespace) -> int:
     if args.out is not None:
         files.write(args.out, text)
         if not args.quiet:
-            print(f"{args.out} is written: slowflow run {args.out}", file=sys.stderr)
+            print(f"wrote {args.out}; now run: slowflow run {args.out}", file=sys.stderr)
     return 0 if outcome.all_met else NOT_MET
 
 
@@ -274,7 +274,7 @@ def new_scene(args: argparse.Namespace) -> int:
     except FileExistsError:
         print(f"{args.scene} already exists: it is not changed", file=sys.stderr)
         return 2
-    print(f"{args.scene} is written: slowflow run {args.scene}")
+    print(f"wrote {args.scene}; now run: slowflow run {args.scene}")
     return 0
 
 
