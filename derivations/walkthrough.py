@@ -113,8 +113,8 @@ SECTIONS = (
             "(29)": "Its eigenvalues. The trace is negative, so a fixed point is stable where the determinant is "
             "positive.",
             "(30)": "4Ω² det D_qΓ = F_A/(2A): the boundary of stability is where the response has a vertical tangent.",
-            "(31)": "The derivative of H_2 that (30) needs, taken under the integral (20): moving ends add the jump "
-            "of the force.",
+            "(31)": "The derivative of H_2 that (30) needs, taken under the integral (20); the moving limits of "
+            "integration add the jump of the force.",
             "(32)": "Abbreviations of (31).",
         },
     ),
@@ -229,7 +229,9 @@ def equations(where: str, rows: list[Row], facts: Facts) -> Iterator[str]:
             own, *others = (in_markdown(one.quantity.partition(" [")[2][:-1]) for one in (row, *readings.values()))
             others = [other for other in others if other != own]
             tried = f"The proved reading: {own}; not proved: {', nor: '.join(others)}."
-            yield from (f"Our text of the paper is damaged here. {tried}", "")
+            if not holds:
+                tried = f"No reading is proved: {'; '.join((own, *others))}."
+            yield from (f"Our plain-text copy of the paper is damaged here. {tried}", "")
 
 
 def sides(left: Sequence[str], expressions: Sequence[sp.Expr]) -> list[tuple[str, str]]:

@@ -226,7 +226,7 @@ def section_3_3(facts: Facts) -> dict[str, Verdict]:
         "inflection": (
             LOOSE,
             "Only at F_0 = F_SN, and only if the root A_s lies below u_cr. It does if and only if F_A < 0 at u_cr and "
-            "the least Ω > 0 with F_AA = 0, h_1 being the average; otherwise (33) has no root that is a point of the "
+            "the least Ω > 0 with F_AA = 0, where h_1 = H_1 − A; otherwise (33) has no root that is a point of the "
             "response. And F_SN of (33) is the onset only up to F_0 = 4μ/π + 2ζ√(−u_cr h_1(u_cr)), where the backbone "
             "reaches u_cr: from there on folds lie on the corner that the jump of (6) makes. With the other "
             f"parameters of Table 1 the first condition holds from δ_h = {few(attached)}/(λr) on, both hold from δ_h = "
@@ -242,7 +242,7 @@ def section_3_3(facts: Facts) -> dict[str, Verdict]:
         "minimum_root": (
             FALSE,
             f"The least positive root with Table 1 is A = {significant(least)}. There F_A and F_AA vanish together at "
-            f"Ω = {significant(negative)} < 0 only: no point of the response. A_s = {significant(onset.A)} is the "
+            f"Ω = {significant(negative)} < 0 only: not a point of the response. A_s = {significant(onset.A)} is the "
             f"second root. The least root is spurious for {len(others)} other isolators too.",
         ),
         "Omega_s": (

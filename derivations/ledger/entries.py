@@ -132,8 +132,8 @@ def _explained(facts: Facts, label: str, kind: str, quantity: str, printed: str,
         )
     if _truncated(value, digits) == printed:
         return (
-            f"The derived value is {significant(value - arb(_halfway(value, digits)), 2)} above the middle between two "
-            "printed values. The printed value is this number truncated, or read off a mesh as the amplitudes are: "
+            f"The derived value is {significant(value - arb(_halfway(value, digits)), 2)} above the midpoint of two "
+            "four-digit values. The printed value is this number truncated, or read off a mesh as the amplitudes are: "
             f"linear interpolation of F between frequencies 1/{MESH} apart lowers this Ω by up to "
             f"{significant(facts.chord_shortfall, 2)}."
         )

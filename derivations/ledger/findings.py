@@ -94,9 +94,9 @@ def _findings(facts: Facts, evidence: dict[str, str]) -> list[Finding]:
         Finding(
             "(20): the prefactor is half of what (21) and (22) need",
             ("formula:H_i_integrand_plus", "formula:H_i_integrand_minus"),
-            "Our text lost the sign in front of (20). With minus, (1/2π)∫ gives exactly half of H_i, with plus minus "
-            "half: the derived integrand is −(1/π) f_k cos ψ. Integrated over the pieces it gives the published (21) "
-            "and, over the four intervals, the published (22) "
+            "Our plain-text copy of the paper lost the sign in front of (20). With minus, (1/2π)∫ gives exactly half "
+            "of H_i, with plus minus half: the derived integrand is −(1/π) f_k cos ψ. Integrated over the pieces it "
+            "gives the published (21) and, over the four intervals, the published (22) "
             f"({'both proved' if facts.integrals_agree else 'not proved'}), and (19) is right with these. So (20) "
             "should read H_i = −(1/π)∫; the slip does not affect (21) and later equations.",
         ),
@@ -166,7 +166,7 @@ def _findings(facts: Facts, evidence: dict[str, str]) -> list[Finding]:
         Finding(
             "(A1): the spring force is printed x",
             ("formula:smoothed_equation_of_motion_x",),
-            "(A1) is in u; the difference to the derived equation is x − u. With u for x it is identical.",
+            "(A1) is in u; the difference from the derived equation is x − u. With u for x it is identical.",
         ),
     ]
 

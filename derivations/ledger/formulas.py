@@ -401,7 +401,7 @@ def _den_hartog(results: Results) -> dict[str, Subject]:
             Reading(exact.slope_ratio),
             Reading(
                 mirrored,
-                "τ → π/Ω − τ, which maps the interval onto itself and leaves the maximum; U of (37)",
+                "τ → π/Ω − τ, which maps the interval onto itself and preserves the maximum; U of (37)",
                 {"U": exact.damping},
             ),
         )

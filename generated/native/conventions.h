@@ -11,7 +11,7 @@ typedef enum {
     SF_OK = 0, /* a result */
     SF_INVALID = 1, /* a parameter outside its domain */
     SF_STICKS = 2, /* sticks: F_0 <= 4 mu/pi */
-    SF_NONE = 3, /* no such result, as no fold or no breakpoint */
+    SF_NONE = 3, /* no such result: for example no fold, or no breakpoint */
     SF_UNBOUNDED = 4, /* no viscous damping: the response is unbounded, there is no lowest forcing */
     SF_NO_BOUND = 5, /* no amplitude was found that bounds the response */
     SF_TOO_MANY = 6, /* more results than places */

@@ -13,7 +13,7 @@ class Status(IntEnum):
     0  OK                   a result
     1  INVALID              a parameter outside its domain
     2  STICKS               sticks: F_0 <= 4 mu/pi
-    3  NONE                 no such result, as no fold or no breakpoint
+    3  NONE                 no such result: for example no fold, or no breakpoint
     4  UNBOUNDED            no viscous damping: the response is unbounded, there is no lowest forcing
     5  NO_BOUND             no amplitude was found that bounds the response
     6  TOO_MANY             more results than places
