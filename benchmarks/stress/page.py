@@ -537,7 +537,7 @@ def balls_fraction(numbers: Numbers) -> str:
     total, proved = (
         sum(sum(found[name].values()) for found in numbers["families"].values()) for name in ("asked", "proved")
     )
-    return f"{proved:,} of {total:,} of families that are hard for double precision or without a proof in it"
+    return f"{proved:,} of {total:,} in families that are hard for double precision"
 
 
 def proof_lines(numbers: Numbers) -> list[str]:
