@@ -222,7 +222,7 @@ function sayStates() {
   });
   $("at").textContent = `${nameIn(state, "Omega")} = ${told(state, "Omega", now.Omega, 5)}`;
   const held = byInertia(state) ? now.Omega <= answer.sticksUpTo : plain.F_0 <= answer.sticking;
-  $("states").innerHTML = rows.join("") || `<tr><td colspan="5">${held ? "Held by friction: the amplitude is 0, and it transmits all, 0 dB." : "No state."}</td></tr>`;
+  $("states").innerHTML = rows.join("") || `<tr><td colspan="5">${held ? "Held by friction: the amplitude is 0, the transmissibility 0 dB." : "No state."}</td></tr>`;
   $("error").textContent = i < 0 ? "" : errorInWords(errorsOf(state.mechanism, state.excitation, breaks, plain.mu, plain.F_0, now.Omega, now.A));
   const slider = $("frequency");
   slider.max = 1000;
@@ -296,7 +296,7 @@ function buildFields() {
   $("fields").innerHTML =
     `<fieldset><legend>Excitation</legend>${excitationPicker(state)}${of([DATA.excitations[state.excitation]])}</fieldset>` +
     `<fieldset><legend>Random vibration of the base</legend><div class="field"><label for="psd">PSD</label>
-<input id="psd" type="text" autocomplete="off" spellcheck="false" placeholder="${state.si ? "1 1e-5; 100 1e-7" : "0.5 1e-4; 5 1e-5"}" title="points of a one-sided density: frequency and density; straight in log-log between them${state.si ? "" : ", or the density of white noise alone"}">
+<input id="psd" type="text" autocomplete="off" spellcheck="false" placeholder="${state.si ? "1 1e-5; 100 1e-7" : "0.5 1e-4; 5 1e-5"}" title="points of a one-sided density: frequency and density; linear in log-log between them${state.si ? "" : ", or the density of white noise alone"}">
 <span class="unit">${state.si ? "Hz g²/Hz; …" : `${letter("Omega")} G; …`}</span></div></fieldset>` +
     `<fieldset><legend>Spring</legend>${of(about.design)}</fieldset>` +
     `<fieldset><legend>Damping</legend>${of(DATA.damping)}</fieldset>` +

@@ -312,7 +312,7 @@ def test_no_trial_runs_off_to_zero_frequency():
     with limited(200_000):
         part = oscillator.exact_response(F_0, Omega=window, force="truncated")
     last = f"at Omega = {part.Omega[-1]:.9g}, A = {part.A[-1]:.9g}"
-    assert not part.complete and "a part of the curve only: stopped after 200000 integration" in part.message
+    assert not part.complete and "only part of the curve: stopped after 200000 integration" in part.message
     assert part.message.endswith(last) and 1 < len(part) < len(curve)
     assert part.Omega == pytest.approx(curve.Omega[: len(part)], rel=1e-9)
 

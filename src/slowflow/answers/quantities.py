@@ -566,7 +566,7 @@ class ManyScales(Scales):
         return size(scale, m=self.m, k_v=self.k_v, L=self.L)
 
     def over(self, name: str, value: Any, domain: Parameter, scale: Scale) -> Any:
-        """Make the numbers of mounts dimensionless; those outside the domain are no designs."""
+        """Make the numbers of mounts dimensionless; those outside the domain are not refused."""
         with np.errstate(all="ignore"):
             return np.asarray(value, dtype=float) / self.of(scale)
 

@@ -183,7 +183,7 @@ class Questions(Generic[States, Response, Folds]):
         Returns
         -------
         Peak
-            .A .Omega; None with a message if the response passes the top of a potential well, without viscous damping,
+            .A .Omega; None with a message without viscous damping, if the response passes the top of a potential well,
             and if the response to base excitation or unbalance is unbounded or its amplitude increases towards F_0
             throughout. For a softening spring with a potential well, such as alpha u + beta u^3 with beta < 0, whose
             top is at |u| = sqrt(-alpha/beta), it is the highest peak of motions that turn within the well. Averaging

@@ -384,8 +384,9 @@ class ManyQuestions(Generic[Found]):
 
         Parameters
         ----------
-        F_0, samples, Omega : as in the class
-            Amplitudes of the excitation, > 0; about how many points; window of frequencies, the same for all designs.
+        F_0, samples, Omega : array_like, int, tuple of float
+            Amplitudes of the excitation, > 0; approximate number of points and window of frequencies, the same for all
+            designs.
         places, workers : int
             Largest number of folds; threads.
 

@@ -191,4 +191,4 @@ def _truncation(model: Model, A: Floats) -> Floats:
 
 
 def _sizes(typical: Floats, error: Floats) -> str:
-    return f"amplitudes typically off by {typical.max():.0%}, at worst by {error.max():.0%}"
+    return f"amplitudes typically off by {typical.max():.0%}, 95th percentile {error.max():.0%}"

@@ -55,7 +55,7 @@ NAMES = ("answer", "parameter")
 FEW = 2
 #: tables of what is asked at each forcing, and of what else a scene may ask for
 AT_EACH = {
-    "margins": "Margins against jumps and detachment; the limit is not exceeded above 1",
+    "margins": "Margins against jumps and detachment; below 1 the limit is exceeded",
     "peak": "The highest peak",
     "isolation": "Frequency above which the transmissibility stays below its limit",
     "saddle_nodes": "Where a sweep jumps",

@@ -13,7 +13,7 @@
     [ask]
     F = [3.0, "0.8 lbf"]        # N; F_0 for [isolator] and [duffing]; with excitation = "base" Y in m or a in m/s^2,
                                 # of an "unbalance" U in kg m
-    f = [5.0]                   # Hz; Omega for these
+    f = [5.0]                   # Hz; Omega for [isolator] and [duffing]
     level_dB = [0, -20]         # for "isolation": transmissibility below which it stays
     questions = ["saddle_nodes", "amplitudes", "spectrum"]
 

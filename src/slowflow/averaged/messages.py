@@ -78,7 +78,7 @@ OPEN = text(
 
 MOVES_EXACTLY = Sentence(
     "in the equation of motion friction holds the mass only up to {mu = :g}: from there to 4 {mu}/pi it moves "
-    "slightly, with stops"
+    "slightly, with stick phases"
 )
 
 ENOUGH_BALLS = "ball arithmetic was used for {} points, not for the others"

@@ -438,7 +438,7 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
         """Draw the response at one forcing, or at each of several, into Matplotlib axes.
 
         Stable states are solid, unstable ones dashed; folds are triangles that point in the direction of the jump. For
-        the amplitude, the regions beyond u_cr and with stops, A Omega^2 < mu, are shaded.
+        the amplitude, the regions beyond u_cr and with stick phases, A Omega^2 < mu, are shaded.
 
         Parameters
         ----------
@@ -487,8 +487,8 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
             Its name, such as "saddle_nodes".
         F_0 : float, optional
             Amplitude of the excitation, > 0. Required by questions at one forcing, such as "saddle_nodes", "margins" or
-            "exact_response"; not accepted by those about all forcings, such as "saddle_node_onset", or about their own
-            rows, such as "spectrum" or "transient".
+            "exact_response"; not accepted by those about all forcings, such as "saddle_node_onset", or by those that
+            take rows or pulses, such as "spectrum" or "transient".
 
         Returns
         -------

@@ -23,7 +23,7 @@ from slowflow.support.errors import NotSettled, Refused
 from slowflow.support.text import text
 
 NEAR_TOP = 0.9  # fraction of the highest point's amplitude above which a segment of the curve may contain its peak
-PARTLY = "a part of the curve only: "
+PARTLY = "only part of the curve: "
 #: relative distances beyond a fold at which the motion that a sweep jumps to is determined, and its turns at most
 FOLD_OFFSET, JUMP_OFFSET, JUMP_TURNS = 1e-5, 1e-3, 2000
 
@@ -59,7 +59,7 @@ class Response(Drawn, Table):
     stable       -- whether both Floquet multipliers lie inside the unit circle
     multipliers  -- over one period, shape (points, 2)
     stops        -- number of stick phases per period
-    folds        -- by rising Omega
+    folds        -- in ascending order of Omega
     borders      -- (Omega, A) where the order of switches changes
     closed       -- whether the curve closed on itself (an isola)
     message      -- other, disconnected curves, as predicted by averaging; where and why the computation stopped; empty

@@ -28,7 +28,7 @@ CHUNK_ARCS, OVERHEAD = 2**14, 16
 #: of a design's numbers by name, what has its equilibria: `slowflow.off_centre.OffCentre`, of a room above this
 AtRest = Callable[[dict[str, float]], Any]
 
-SAMPLES = "{tau} and acceleration must have as many samples, not {shapes:s}"
+SAMPLES = "{tau} and acceleration must have the same number of samples, not {shapes:s}"
 
 
 def answer(
@@ -116,7 +116,7 @@ def _solve(
         # without finite stiffness
         smooth = np.broadcast_to((centre[0] == 0) & np.isfinite(centre[1]) & (centre[1] < 0), shape).ravel()
         individual = valid[~smooth[valid]]
-    for k in progress.each(individual.tolist(), individual.size, "designs followed singly"):
+    for k in progress.each(individual.tolist(), individual.size, "designs integrated one by one"):
         one = {name: float(value[k]) for name, value in values.items()}
         status[k], numbers[k] = _single(designs, at_rest, one, pulses_of[index[k]], float(begins[k]), after)
     batched = np.setdiff1d(valid, individual, assume_unique=True)

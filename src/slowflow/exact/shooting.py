@@ -75,14 +75,14 @@ WITHIN_END = Sentence("within |{u}| = {u:g}, where")
 CHAOTIC = Sentence(
     "no steady state found at {Omega = :g}, {F_0 = :g}: the motion is chaotic, as far as {turns:d} periods of "
     "the forcing show: neighbouring motions separate by a factor of {rate:.2g} in each; A= gives the periodic "
-    "motion, stable or not, next to an amplitude"
+    "motion, stable or not, nearest to an amplitude"
 )
 STICKS_AT_JUMP = Sentence(
     "the motion at {Omega = :g}, {F_0 = :g} is periodic with {A = :.6g}, but the mass comes to rest at {u} = 0 in each "
     "period, where the force jumps, after infinitely many crossings: it has no multipliers; sweep follows it in time"
 )
 COMES_TO_REST = Sentence(
-    "no steady state found at {Omega = :g}, {F_0 = :g}: a motion from {u = :.6g} on comes to rest, where "
+    "no steady state found at {Omega = :g}, {F_0 = :g}: a motion from {u = :.6g} comes to rest, where "
     "friction holds the mass"
 )
 NOT_FOUND = Sentence(

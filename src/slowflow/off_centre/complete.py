@@ -39,7 +39,7 @@ NEAR = 2.0**-8
 #: |B| up to which a motion without a load is about the centre, where all others are told from it by more
 AT_CENTRE = 1e-12
 #: no bound of B, and so none of what is to be looked at
-ENDLESS = "folds occur at ever lower forcings towards {Omega} = 0, or to a turning point of the mean"
+ENDLESS = "folds occur at ever lower forcings towards {Omega} = 0, or towards a turning point of the mean"
 
 
 class Complete:

@@ -84,6 +84,8 @@ def _of_cubic(known: Mapping[str, Any], of: type[Scales], **settings: str) -> tu
 class Isolator(Oscillator):
     __doc__ = f"""The high-static-low-dynamic-stiffness isolator of (1)-(7), whose springs detach from the rod at u_cr.
 
+    All numbers are dimensionless (4): stiffnesses over k_v, lengths over L, forces over k_v L.
+
 {described((*ROD_SPRING.design, *DAMPING, *DISSIPATION))}
     rubs -- "throughout", or "attached": dry friction acts while the springs touch the push-rod, |u| < u_cr
     mu_s -- static friction, as in `Oscillator`

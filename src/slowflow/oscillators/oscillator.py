@@ -353,7 +353,7 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         Raises
         ------
         ValueError
-            For parameters out of range, as a force <= mu.
+            For parameters out of range, such as a force <= mu.
         ArithmeticError
             Where nothing periodic is found.
         """
@@ -385,7 +385,7 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
             A motion on the curve. An isolated curve needs its own start, `steady_state(Omega=..., F_0=..., A=...)`; if
             averaging predicts another curve, `.message` gives these numbers.
         step : float
-            Largest distance of neighbouring points, > 0 and <= 0.5, relative.
+            Largest distance between neighbouring points, > 0 and <= 0.5, relative.
         force : {"truncated", "untruncated"}, optional
             As in `restoring_force`.
         u_0, v_0 : float, optional
@@ -437,7 +437,7 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         Raises
         ------
         ValueError
-            For parameters out of range, as a force <= mu.
+            For parameters out of range, such as a force <= mu.
         ArithmeticError
             Where the motion escapes a softening spring.
         """

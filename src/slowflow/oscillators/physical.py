@@ -348,7 +348,7 @@ class Physical(Excited):
         start : Quantities, optional
             A motion on the curve, from `steady_state`.
         step : float
-            Largest relative distance of neighbouring points, > 0 and <= 0.5.
+            Largest relative distance between neighbouring points, > 0 and <= 0.5.
         x_0, v_0 : float, optional
             Initial displacement in m and velocity in m/s, instead of `start`.
 

@@ -104,7 +104,7 @@ class ManyQuantities(Quantities, Many):
 
     @property
     def remarks(self) -> npt.NDArray[np.uint16]:
-        """Diagnostics of each mount's answer, flags of `slowflow.Remark` that add up."""
+        """Diagnostics of each mount's answer, flags of `slowflow.Remark` combined by bitwise or."""
         return np.asarray(self.answer.remarks)
 
     @property
@@ -178,8 +178,8 @@ class PhysicalDesigns(Excited, Unchanging):
     places  -- largest number of entries per mount, along an additional axis
     workers -- threads that share the mounts, -1 for one per processor
 
-    A mount without a result raises nothing: `.status` has the reason. Mounts of different m, k_v or L that are asked
-    about one window of frequencies, one spectral density or one duration in seconds are asked one after another.
+    A mount without a result raises nothing: `.status` has the reason. Mounts of different m, k_v or L are evaluated
+    one after another if they share a window of frequencies, a spectral density or a duration in seconds.
 
     values -- the data of the mounts by name, in SI units
     settings -- data that are the same for all
@@ -261,7 +261,7 @@ class PhysicalDesigns(Excited, Unchanging):
 
     @property
     def shape(self) -> tuple[int, ...]:
-        """Of the data, as they broadcast."""
+        """Shape of the mounts, to which the data broadcast."""
         return validate.common_shape(dict(self.values))
 
     @property

@@ -36,7 +36,7 @@ class RandomResponse(Drawn, Table, entry="Stationary"):
 
     B            -- mean displacement, 0 without a load if the force is odd; all numbers are dimensionless
     u_rms, v_rms -- root mean squares of displacement about the mean, and of velocity, relative to the base
-    a_rms        -- of the absolute acceleration of the mass; if a force excites, of the transmitted force less the load
+    a_rms        -- of the absolute acceleration of the mass; under a force, of the transmitted force less the load
     stiffness, damping -- k and c of the linear oscillator u'' + c u' + k u = w with the least mean square error in (3)
     Omega_e, ratio_e -- its natural frequency and its damping ratio
     beyond        -- fraction of the time in which u is beyond the first breakpoint on either side, NaN if there is none

@@ -40,7 +40,7 @@ class White:
 
 
 class Tabulated:
-    """A one-sided density by points, straight in log-log between these, 0 outside.
+    """A one-sided density by points, linear in log-log between these, 0 outside.
 
     Omega, G -- rising, > 0; the same Omega twice is a step
     """

@@ -115,7 +115,7 @@ class Mechanism:
     design      -- parameters of the design, without those of damping
     parameters  -- arguments of the functions below, in their order
     coefficients -- function of the design that returns the parameters (5), (7)
-    pieces      -- the force u + F_k(u) in pieces, by rising |u|; a breakpoint belongs to the inner piece
+    pieces      -- the force u + F_k(u) in pieces, in ascending order of |u|; a breakpoint belongs to the inner piece
     breakpoints -- function of the parameters: the |u| at which each piece except the last ends (5)
     jumps       -- function of the parameters: the drop of the force at each breakpoint, f below minus f above
     hardening   -- function of the parameters: f(u)/u rises with |u| if none of its values is negative
@@ -146,8 +146,8 @@ class Mechanism:
                    formula; None for a formula
     mirrored    -- text of the first piece if its expression is not odd, so that its mirror image is used for u < 0;
                    otherwise ""
-    odd         -- whether the force is odd, with pieces for u > 0; otherwise pieces and breakpoints are those of rising
-                   u, and the averages about the centre are `unknown`
+    odd         -- whether the force is odd, with pieces for u > 0; otherwise pieces and breakpoints are in ascending
+                   order of u, and the averages about the centre are `unknown`
     """
 
     name: str
