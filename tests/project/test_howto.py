@@ -33,6 +33,7 @@ NEEDED = {
     "C": ((), ()),
     "C++": (("c++",), ()),
     "Fortran": (("gfortran",), ()),
+    "JAX": ((), ("jax",)),
     "numba": ((), ("numba",)),
     "cffi": ((), ("cffi",)),
     "ctypes": ((), ()),

@@ -532,8 +532,8 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         -------
         RandomResponse
             .B, the mean, .u_rms about it, .v_rms .a_rms, .stiffness and .damping of the equivalent linear oscillator,
-            .beyond and .crossing_rate of the first breakpoint, in ascending order of u_rms; it is proved that there are
-            no others, without a load about the centre. If there are several, or if dry friction dominates the damping,
+            .beyond and .crossing_rate of the first breakpoint, in ascending order of u_rms; for what it is proved that
+            there are no others, see `RandomResponse`. If there are several, or if dry friction dominates the damping,
             `.message` reports it; `.measure()` compares with simulated motions.
 
         Raises

@@ -44,8 +44,9 @@ class RandomResponse(Drawn, Table, entry="Stationary"):
     dry           -- fraction of the damping due to dry friction, on which the accuracy depends
     message       -- diagnostics as text
 
-    It is proved that there are no others, without a load about the centre: see `native/exact/linearized.h` and
-    `native/exact/offset.h`.
+    Without a load all motions about the centre are proved to be these. With a load, or for an asymmetric force, it is
+    proved that there are no others within the range of mean and RMS that samples of the force allow, widened by a
+    quarter. See `native/exact/linearized.h` and `native/exact/offset.h`.
     """
 
     picture: ClassVar[str] = "psd"
