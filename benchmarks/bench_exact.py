@@ -99,7 +99,7 @@ def jobs() -> list[Job]:
     frequencies = np.concatenate((np.linspace(0.5, 1.5, 300), np.linspace(1.5, 0.5, 300)))
     return [
         Job(
-            "half a turn of one piece with derivatives",
+            "half a period of one piece with derivatives",
             *(None, 101),
             lambda: advance(forced, -1, 0, 0.3, -0.25, 0.0, 3.4),
             lambda i: i.advance(system.force.pieces[0], drive, 0.3, -0.25, 0.0, 3.4),
@@ -140,7 +140,7 @@ def jobs() -> list[Job]:
 
 
 def by_stops(repeats: int) -> list[dict[str, float]]:
-    """Seconds of one periodic motion with multipliers by its stops a turn: linear, mu = 0.2, F_0 = 1, and ever slower.
+    """Seconds of one periodic motion with multipliers by stops per period: linear, mu = 0.2, F_0 = 1, and ever slower.
 
     Each is taken at the middle of the frequencies that have so many, from the neighbouring motion.
     """
@@ -181,7 +181,7 @@ def beside_heyoka() -> list[Row]:
     for job, ours, theirs in in_turn():
         out.append(Row(job.name, 1e3 * ours, "ms", job.bound))
         if theirs is not None:
-            out.append(Row(f"{job.name}: by heyoka over this", theirs / ours, ""))
+            out.append(Row(f"{job.name}: time of heyoka over that of slowflow", theirs / ours, ""))
     return [*out, *measured()]
 
 
@@ -252,7 +252,9 @@ def whole_curve(exact: bool, curve: Response) -> list[Row]:
     return [
         Row(f"{name}: whole curve of {curve.Omega.size} points with both folds", elapsed, "s", 0.5),
         Row(f"{name}: the same, for 300 points", elapsed * 300 / curve.Omega.size, "s", 0.5),
-        Row(f"{name}: residual of periodicity, largest on the curve but where it touches u_cr", elsewhere, "", 1e-12),
+        Row(
+            f"{name}: residual of periodicity, largest on the curve except where it touches u_cr", elsewhere, "", 1e-12
+        ),
         # not Lipschitz there if the force jumps: a rounding grows to its square root at every touch
         Row(f"{name}: the same where it touches u_cr", max(states[i].residual for i in touching), ""),
         Row(f"{name}: folds (Omega, A) against a curve of a third of the step", by_step, "", 1e-8),
@@ -366,14 +368,16 @@ def closed_forms() -> list[Row]:
         stopping, most = max(stopping, abs(float(u) - float(state.unknowns[0]))), max(most, state.stops)
     return [
         Row(f"Den Hartog's (35) where (36) holds, {count} points", continuous, "", 1e-10),
-        Row(f"linear with 2 to {most} stops a turn against 40 digits", stopping, "", 1e-10),
+        Row(f"linear with 2 to {most} stops per period against 40 digits", stopping, "", 1e-10),
     ]
 
 
 def turns() -> list[Row]:
     """200 turns at one frequency, with events."""
     forced = Forced(table_1(False), 0.9, 0.04)
-    out = [Row("200 turns at Omega = 0.9, events", 1e3 * best(lambda: follow(forced, 0.0, 0.0, 0.0, 200 * TURN)), "ms")]
+    out = [
+        Row("200 periods at Omega = 0.9, events", 1e3 * best(lambda: follow(forced, 0.0, 0.0, 0.0, 200 * TURN)), "ms")
+    ]
     state = steady_state(table_1(False), Omega=0.9, F_0=0.04)
     other = again(state, ScipyIntegrator())
     out.append(Row("one frequency by SciPy", 1e3 * best(lambda: again(state, ScipyIntegrator()), 3), "ms"))

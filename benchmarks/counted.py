@@ -1,7 +1,7 @@
 """Why a batch is no faster. Takes the kinds of a question; returns sentences that add up what an answer is made of.
 
 Counts and costs are measured by `counted.c`, which gcc builds around the solvers as they are: evaluations of the
-averages, these in double-double, values of the function that is searched, its ranges on cells, of loops over many
+averages, these in double-double, values of the function that is searched, its enclosures on cells, of loops over many
 designs cells and amplitudes, quartics solved by themselves, the parameters of a design and its answer written. What
 Python and NumPy take is the answer's time less that of the compiled loop on the same arrays. What is left is told as
 unexplained: what the search does in between, as carrying samples into cells and back, and Newton's steps.
@@ -52,8 +52,8 @@ SOURCES = {
 }
 #: by kind: its number in counted.c, the target in seconds for a design, its name, the compiled loop
 KINDS = {
-    "amplitudes": (0, 0.5e-6, "the states of one design", AMPLITUDES),
-    "saddle_nodes": (1, 1e-6 / 0.3, "all folds of one design", SADDLE_NODES),
+    "amplitudes": (0, 0.5e-6, "the search for the states of one design", AMPLITUDES),
+    "saddle_nodes": (1, 1e-6 / 0.3, "the search for all folds of one design", SADDLE_NODES),
     "peak": (2, 1e-6, "one peak", PEAK),
     "saddle_node_onset": (3, 1e-6, "one F_SN", ONSET),
 }
@@ -70,15 +70,15 @@ PLACES_OF_ONE = 6
 OPERATIONS = (
     "averages h to h_AAA",
     "of these in double-double",
-    "values of what is searched",
-    "ranges of it on cells",
-    "cells judged in lanes",
-    "amplitudes solved in lanes",
-    "quartics by themselves",
+    "values of the searched function",
+    "enclosures of it on cells",
+    "cells tested in vector lanes",
+    "amplitudes solved in vector lanes",
+    "quartics solved singly",
     "designs' parameters and pieces",
     "the same on intervals, for jumps of the force",
     "the same in double-double",
-    "answers written",
+    "results written",
 )
 
 
@@ -176,9 +176,9 @@ def _of_curve(library: Any) -> str:
     segments, on_segments, folds, each = (quantity(part, "s") for part in (*seconds, seconds[1] / points))
     return (
         f"one curve of {points:.0f} points with its folds takes {quantity(whole, 's')}, target {quantity(CURVE, 's')}: "
-        f"its segments by {averages:.0f} averages and {ranges:.0f} ranges on cells {segments}, the points on them "
-        f"{on_segments}, of each {each}, its folds {folds}, an isolator made {quantity(made, 's')}: "
-        f"{_added(whole, [*seconds, made])}, Python's: arrays copied, remarks, answers named"
+        f"its segments by {averages:.0f} averages and {ranges:.0f} enclosures on cells {segments}, the points on them "
+        f"{on_segments}, of each {each}, its folds {folds}, construction of an isolator {quantity(made, 's')}: "
+        f"{_added(whole, [*seconds, made])}, in Python: array copies, remarks, construction of results"
     )
 
 
@@ -216,15 +216,15 @@ def _of_second(library: Any) -> str:
         sentences.append(
             f"{name} by {averages:.0f} averages with their harmonics of {quantity(average, 's')} and {balances:.0f} "
             f"balances of {quantity(balance, 's')}, {quantity(averages * average + balances * balance, 's')} of "
-            f"{quantity(whole, 's')}, averaging's curve that they begin with among it"
+            f"{quantity(whole, 's')}, including the averaged curve from which they start"
         )
         compiled += whole
     better = first.second_approximation
     curve, folds = better.frequency_response(certified.F_0, samples=SAMPLES), better.saddle_nodes(certified.F_0)
     extras: dict[str, Callable[[], Any]] = {
-        "an isolator made": example.isolator,
-        "what is to be said of validity": lambda: [better._remarked("", x.Omega, x.A) for x in (curve, folds)],
-        "answers as records that do not change": lambda: [replace(x, message="") for x in (curve, folds)],
+        "construction of an isolator": example.isolator,
+        "validity messages": lambda: [better._remarked("", x.Omega, x.A) for x in (curve, folds)],
+        "immutable results": lambda: [replace(x, message="") for x in (curve, folds)],
     }
     whole, *others = (
         seconds / 100
@@ -248,9 +248,9 @@ def _of_quartics(library: Any) -> str:
     terms = signs, roots * root, on * further, unsure * single
     signs, root, further, single = (quantity(cost, "s") for cost in (signs, root, further, single))
     return (
-        f"one quartic of the scene {slowest} takes {quantity(took[slowest], 's')}, target {quantity(QUARTIC, 's')}: "
-        f"its signs in lanes {signs}, {roots:.3g} roots in lanes of {root}, {on:.3g} of them that go on in "
-        f"double-double of {further}, {unsure:.3g} quartics whose signs are unsure in double of {single}: "
+        f"one quartic of the case {slowest} takes {quantity(took[slowest], 's')}, target {quantity(QUARTIC, 's')}: "
+        f"its signs in vector lanes {signs}, {roots:.3g} roots in vector lanes of {root}, {on:.3g} of them continued "
+        f"in double-double of {further}, {unsure:.3g} quartics with signs uncertain in double precision of {single}: "
         f"{_added(took[slowest], list(terms))}"
     )
 
@@ -278,7 +278,7 @@ def _of_motion(library: Any) -> str:
     phases, steps, searches, step, search = out
     return (
         f"{job.name} take {quantity(whole, 's')}, target {quantity(1e-3 * (job.bound or 0), 's')}: {phases:.0f} phases "
-        f"by {steps:.0f} steps of {SERIES} coefficients, of which none is known before the one below it, of "
+        f"by {steps:.0f} steps of {SERIES} coefficients, computed one after another, of "
         f"{quantity(step, 's')}, {searches:.0f} searches for a stop on a step of {quantity(search, 's')}, Python, a "
         f"record of each phase, {quantity(whole - in_c, 's')}: "
         f"{_added(whole, [steps * step, searches * search, whole - in_c])}"

@@ -141,7 +141,7 @@ def _sizes(ax: Axes, rows: list[dict[str, Any]], unit: str, title: str) -> None:
 
 
 def _stops(ax: Axes, rows: list[dict[str, Any]]) -> None:
-    ax.set(xlabel="stops a turn", ylabel="microseconds", title="one periodic motion, linear, by its stops")
+    ax.set(xlabel="stops per period", ylabel="microseconds", title="one periodic motion, linear, by its stops")
     ax.title.set_fontsize(10)
     method = "slowflow"
     stops, seconds = np.array([(row["stops"], row["seconds"]) for row in rows]).T

@@ -157,7 +157,7 @@ def derive_table(rows: list[dict[str, Any]]) -> list[str]:
 def stops_table(rows: list[dict[str, Any]]) -> list[str]:
     """Stops a turn, Omega, time."""
     cells = [(str(row["stops"]), f"{row['Omega']:.3g}", quantity(row["seconds"], "s")) for row in rows]
-    return table(("stops a turn", "Omega", "time"), cells)
+    return table(("stops per period", "Omega", "time"), cells)
 
 
 def precision_table(scene: dict[str, Any]) -> list[str]:
@@ -209,7 +209,7 @@ def details(found: dict[str, Any]) -> str:
             lines += ["Where the limits are:", "", *(f"- {limit}" for limit in bench["limits"]), ""]
     if precision := found.get("work_precision"):
         lines += ["## Error against time", ""]
-        lines += ["Scenes: Table 1 with F_0 = 0.04. Errors are relative, against values certified to 40 digits.", ""]
+        lines += ["Case: Table 1 with F_0 = 0.04. Errors are relative, against values certified to 40 digits.", ""]
         for scene in precision["scenes"]:
             lines += [f"### {scene['title']}", "", *precision_table(scene), ""]
         lines += ["## Cost against size", "", "![Cost against size](../../docs/scaling.png)", ""]
@@ -219,7 +219,7 @@ def details(found: dict[str, Any]) -> str:
         lines += ["## The equation of motion", "", *EXACT_WORDS, *about, ""]
         lines += [*environment_lines(exact["environment"]), "", *exact_table(exact["rows"]), ""]
     if derive := found.get("derive"):
-        about = ["Modules and templates have bytecode, which an earlier process left."] if "bytecode" in derive else []
+        about = ["Modules and templates are already compiled to bytecode."] if "bytecode" in derive else []
         about += [f"{derive['earlier'].capitalize()}."] if "earlier" in derive else []
         lines += ["## Custom restoring forces", "", *DERIVE_WORDS, *about, ""]
         lines += [*environment_lines(derive["environment"]), "", *derive_table(derive["rows"]), ""]
@@ -233,28 +233,28 @@ def details(found: dict[str, Any]) -> str:
 
 
 STOPS_WORDS = (
-    "One periodic motion with its multipliers from the one beside it, by how often the mass stops in a turn: linear",
-    "spring, mu = 0.2, F_0 = 1.",
+    "One periodic motion with its multipliers, started from the neighbouring one, by the number of stops per period:",
+    "linear spring, mu = 0.2, F_0 = 1.",
 )
 EXACT_WORDS = (
     "Exact motions of Table 1 with F_0 = 0.04 unless a row says otherwise (`python -m benchmarks.bench_exact`), by the",
-    "processor's time, beside heyoka, SciPy, averaging, closed forms and digits from mpmath.",
+    "processor's time, compared with heyoka, SciPy, averaging, closed forms and digits from mpmath.",
 )
 PAPER_WORDS = (
-    "On a clone of what is committed, in a folder of its own (`python -m benchmarks.bench_paper`): the first command",
-    "of the README, and once more where all is made. Packages come from pip's index or its cache.",
+    "In a fresh clone (`python -m benchmarks.bench_paper`): the first command",
+    "of the README, and the same again when everything is built. Packages come from pip's index or its cache.",
 )
 DERIVE_WORDS = (
-    "Forces given as SymPy expressions (`python -m benchmarks.bench_derive`), each in a process of its own that finds",
-    "nothing kept by another. Time is the processor's, the compiler's included: Python's start with NumPy, SymPy and",
-    "slowflow; `derive.mechanism`; the first folds, with what is made ready for them; and one later curve,",
+    "Forces given as SymPy expressions (`python -m benchmarks.bench_derive`), each in a separate process with an",
+    "empty cache. Time is processor time, the compiler's included: Python's start with NumPy, SymPy and",
+    "slowflow; `derive.mechanism`; the first folds, preparation included; and one later curve,",
     "`frequency_response`. Stops and the septic are derived in closed form; the soft stop, with tanh beyond its gap,",
-    "is averaged by sums.",
+    "is averaged by quadrature.",
 )
 GRID_WORDS = (
     "Designs of the isolator over r, preload and mu, written block by block into a Zarr store on a local disk by one",
     "thread (`python -m benchmarks.bench_grid`), each map by a process of its own. Time is the processor's. Before:",
-    "memory when nothing is asked yet. The peak grows with the size of a block, not with that of the map.",
+    "memory before the first question. The peak grows with the size of a block, not with that of the map.",
 )
 PEERS_WORDS = (
     "Table 1 with F_0 = 0.04: the averaged response from Omega = 0.3 to 2 and both folds, all in one run and in turn.",

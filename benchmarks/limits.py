@@ -126,7 +126,7 @@ def machine(cores: bool) -> list[str]:
         rates = {name: max(function(ctypes.c_long(n)) for _ in range(3)) for name, (function, n) in calls.items()}
         out = [
             f"one core of this machine: triad {rates['triad'] / 1e9:.3g} GB/s, "
-            f"{rates['fused'] / 1e9:.3g} fused multiply-adds of doubles a ns in vectors"
+            f"{rates['fused'] / 1e9:.3g} vectorized fused multiply-adds of doubles per ns"
         ]
         if cores:
             threads = os.cpu_count() or 1
@@ -137,7 +137,7 @@ def machine(cores: bool) -> list[str]:
                     for name, (function, n) in calls.items()
                 }
             times = ", ".join(f"{name} {both[name] / rates[name]:.3g} times" for name in calls)
-            out.append(f"{threads} threads that share nothing over one of them, by the clock on the wall: {times}")
+            out.append(f"{threads} independent threads relative to one, by wall time: {times}")
     return out
 
 
@@ -180,8 +180,8 @@ def imports() -> list[str]:
     return [
         f"import slowflow, what takes longest (each module with those that it loads first): {own}",
         f"import slowflow beyond NumPy's, at its best {quantity(whole, 's')}: {modules:.0f} modules, whose "
-        f"{size / 1e3:.0f} kB of bytecode are read and made objects in {quantity(read, 's')}, and {libraries:.0f} "
-        f"shared libraries; the rest is to find these files, to load the libraries and to run what modules define",
+        f"{size / 1e3:.0f} kB of bytecode are read and unmarshalled in {quantity(read, 's')}, and {libraries:.0f} "
+        f"shared libraries; the rest is finding these files, loading the libraries and executing the modules",
     ]
 
 
@@ -194,7 +194,7 @@ def traffic(count: int = 10**6) -> list[str]:
         np.modf(amplitudes, out=(results[0], results[1]))
         times.append(time.perf_counter() - start)
     return [
-        f"reading one double and writing two, numpy.modf on 10⁶ points: {quantity(min(times) / count, 's')} a point"
+        f"reading one double and writing two, numpy.modf on 10⁶ points: {quantity(min(times) / count, 's')} per point"
     ]
 
 
@@ -215,7 +215,7 @@ def pace(rows: list[dict[str, Any]]) -> list[str]:
     message = "what this machine does beside the one of the targets was not measured: Boost.Math is not at hand"
     if here:
         message = (
-            f"where the targets were set Boost.Math took {BOOST[0]:g} to {BOOST[1]:g} ns a quartic, and "
+            f"where the targets were set Boost.Math took {BOOST[0]:g} to {BOOST[1]:g} ns per quartic, and "
             f"{here[0]:.3g} to {here[1]:.3g} ns here, {slower:.2g} times as long"
         )
     return [

@@ -102,7 +102,7 @@ def prepare() -> dict[str, tuple[Callable[[], Any], Callable[[Any], dict[str, An
     """Jobs by name."""
     jobs: dict[str, Callable[[], float]] = {
         "slowflow, native | Newton": lambda: steady_state(SYSTEM, Omega=OMEGA, F_0=F_0).A,
-        "slowflow, native | 200 turns": followed,
+        "slowflow, native | 200 periods": followed,
     }
     if importlib.util.find_spec("heyoka"):
         jobs |= {f"heyoka, events | tol {tol:.0e}": by_heyoka(tol) for tol in (1e-6, 1e-10, 2e-16)}
