@@ -20,7 +20,7 @@ print(f"highest   A = {isolator.peak(F_0).A:.5f} averaged, {exact.peak.A:.5f} ex
 state = isolator.steady_state(Omega=0.9, F_0=F_0)
 tau, u, v = state.series(8)
 print(f"\nat Omega = 0.9: A = {state.A:.5f}, stops {state.stops} times in a period, residual {state.residual:.0e}")
-print("largest multiplier", f"{max(abs(state.multipliers)):.3f}, stable" if state.stable else "outside 1: unstable")
+print("largest multiplier", f"{max(abs(state.multipliers)):.3f}, stable" if state.stable else "above 1: unstable")
 print("harmonics", " ".join(f"{abs(x):.1e}" for x in state.harmonics(5)))
 print("one period, u:", " ".join(f"{x:+.3f}" for x in u))
 

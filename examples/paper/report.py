@@ -77,7 +77,7 @@ def report(ledger: dict[str, Any]) -> Iterator[str]:
         verdict = "rounds to it" if row.verdict == "identical" else row.verdict
         yield f"{row.what:{width}}  {row.printed:>9}  {derived:>15}  {verdict}"
     yield ""
-    yield "The ledger: everything published, held against what is derived (sources: generated/LEDGER.md)"
+    yield "The ledger: everything published, compared with the derivation (sources: generated/LEDGER.md)"
     for kind, counts in ledger["counts"].items():
         numbers = ", ".join(f"{number} {verdict}" for verdict, number in counts.items() if number)
         yield f"  {kind + 's:':10} {numbers}"
