@@ -114,5 +114,5 @@ def figure_7a(figure: dict[str, Any]) -> list[str]:
         )
         for row in figure["rows"]
     )
-    head = "| Fig. 7a: F_0 | mu/F_0 | largest amplitude | jumps | points | worst at Omega | over the peak |"
+    head = "| Fig. 7a: F_0 | mu/F_0 | largest amplitude | jumps | points | worst at Omega | relative to the peak |"
     return lines(head, rows)

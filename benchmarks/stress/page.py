@@ -416,7 +416,9 @@ def page(numbers: Numbers) -> str:
         *(f"- {row[0]}: {WHY.get(row[0], 'the cause is not known')}." for row in misses),
         "",
         "Arguments lie within the bounds of `benchmarks/stress/domains.py` and the domain of the formula. Hard",
-        "cases are drawn on purpose: " + "; ".join(domains.LOCATIONS) + ". Kernels of gradients with",
+        "cases, with the symbols of that file, are drawn on purpose: "
+        + "; ".join(domains.LOCATIONS)
+        + ". Kernels of gradients with",
         "viscous damping and dry friction alone are not searched.",
         "",
         "### At 1e±150 and subnormal numbers",

@@ -411,7 +411,7 @@ def test_numbers_that_a_loop_does_not_show_are_left_out(loop, tmp_path, capsys):
         ("t [ms], x [mm], F [pound]", "loop.csv:1: the unit of 'F [pound]' is not known"),
         ("t [ms], x [mm], F [N]\n1, two, 3", "loop.csv:2: x = 'two' is not a number"),
         ("t [ms], x [mm], F [N]\n1, , 3", "loop.csv: x = nan is not allowed"),
-        ("x [mm], t [ms], F [N]", "loop.csv: t is not allowed: the times must rise"),
+        ("x [mm], t [ms], F [N]", "loop.csv: t is not allowed: the times must be ascending"),
     ),
 )
 def test_what_is_no_measured_loop_is_refused_with_its_line(head, message, loop, tmp_path, capsys):

@@ -369,7 +369,7 @@ def test_a_load_on_a_preload_is_refused_for_the_jump_that_it_is(folder):
 
 def test_end_below_0_and_acceleration_are_refused(stop):
     below = derive.mechanism(**{**STOP, "parameters": {"k_1": ABOVE_0, "k_2": ABOVE_0, "gap": {}}})
-    with pytest.raises(ValueError, match=r"end at \|u\| = -0\.2, which must rise from 0"):
+    with pytest.raises(ValueError, match=r"end at \|u\| = -0\.2, which must be ascending from 0"):
         below(**{**NUMBERS, "gap": -0.2})
     with pytest.raises(ValueError, match=r"'acceleration' is not allowed.*'base'.*is a force, F_0 = m a/\(k_v L\)"):
         stop(**NUMBERS, excitation="acceleration")

@@ -504,7 +504,7 @@ def test_ends_that_do_not_rise_are_refused(compiled):
     ):
         end = numbers["gap"] - numbers["k"]
         with pytest.raises(
-            ValueError, match=rf"gap = .*: not allowed together, .* end at \|u\| = {end:g}, .* must rise"
+            ValueError, match=rf"gap = .*: not allowed together, .* end at \|u\| = {end:g}, .* must be ascending"
         ):
             stops(**numbers, zeta=0.02)
         assert stops.many(**numbers, mu=0.0, zeta=0.02).saddle_node_onset().status == Status.INVALID

@@ -235,8 +235,8 @@ def test_it_can_be_pickled_where_its_functions_can():
         ([(lambda u: u + 1e-9 * np.random.rand(), None)], "is not resolved: with"),
         ([(lambda u: np.tanh(3000 * u), None)], "is not resolved"),
         ([(linear, lambda: math.nan), (linear, None)], "end of piece 1 of bad is nan: it must be finite"),
-        ([(linear, 0.3), (linear, 0.2), (linear, None)], r"\|u\| = 0\.3, 0\.2, 3: these must rise up to the reach"),
-        ([(linear, 4), (linear, None)], "must rise up to the reach"),
+        ([(linear, 0.3), (linear, 0.2), (linear, None)], r"\|u\| = 0\.3, 0\.2, 3: must ascend up to the reach"),
+        ([(linear, 4), (linear, None)], "must ascend up to the reach"),
     ],
 )
 def test_function_that_is_no_force_is_refused_before_work(pieces, message):

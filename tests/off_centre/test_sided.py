@@ -277,7 +277,7 @@ def test_a_force_that_is_not_odd_cannot_be_stated_as_anything():
     with pytest.raises(ArithmeticError, match="which is not above g"):
         derive.mechanism("order", [(u, g), (2 * u, g - 1), (u, None)], {"g": {}}, odd=False)
     crossing = derive.mechanism("cross", [(u, g), (2 * u, p), (u, None)], {"g": {}, "p": {}}, odd=False)
-    with pytest.raises(ValueError, match=r"end at u = 0.3, 0.1, which must rise"):
+    with pytest.raises(ValueError, match=r"end at u = 0.3, 0.1, which must be ascending"):
         crossing(g=0.3, p=0.1, **DAMPED)
 
 

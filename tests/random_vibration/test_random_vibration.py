@@ -647,7 +647,7 @@ def test_straight_lines_between_samples_have_the_spectrum():
         ({}, {"S_0": -1.0}, "S_0"),
         ({}, {"psd": 3.0}, "two rows"),
         ({}, {"psd": ([1.0, 2.0], [1.0])}, "two rows"),
-        ({}, {"psd": ([2.0, 1.0], [1.0, 1.0])}, "rise"),
+        ({}, {"psd": ([2.0, 1.0], [1.0, 1.0])}, "ascending"),
         ({}, {"psd": ([1.0, 2.0], [1.0, 0.0])}, "G"),
         ({"zeta": 0.0}, {"S_0": 1.0}, "needs viscous damping"),
         ({"eta": 0.1}, {"S_0": 1.0}, "eta"),
@@ -680,7 +680,7 @@ def test_a_spring_that_gives_way_has_no_stationary_motion():
         (Duffing(-1.0, 0.0, zeta=0.02), {"S_0": 1e-3}),
         (Duffing(1.75, -317.0, mu=0.3, zeta=0.01), {"psd": ([0.012, 0.04, 1.37, 61.0], [1e-3, 0.014, 0.12, 8e-4])}),
     ):
-        with pytest.raises(ArithmeticError, match="gives way"):
+        with pytest.raises(ArithmeticError, match="too weak to hold"):
             one.random(**excitation)
 
 

@@ -669,7 +669,7 @@ def test_a_loop_across_the_stroke_has_the_springs_of_its_mount():
     (
         ({"x": TIMES}, "x needs t, the times of a free decay, or F"),
         ({"x": TIMES[:5], "t": TIMES[:5]}, "of at least 10 samples"),
-        ({"x": TIMES, "t": TIMES[::-1]}, "the times must rise"),
+        ({"x": TIMES, "t": TIMES[::-1]}, "the times must be ascending"),
         ({"x": TIMES, "t": TIMES}, "must begin with a displacement"),
         ({"x": TIMES, "t": TIMES, "A": [1.0]}, "needs either"),
         ({"t": TIMES, "A": TIMES, "f": 1.0, "F": 1.0}, "t needs x"),

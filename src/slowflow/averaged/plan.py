@@ -37,7 +37,7 @@ QUARTIC = Sentence("{laws:s}: F is a quartic in {Omega}")
 BELOW = Sentence("{F_0} < {F_SN = :g}: there are none")
 PIECES = text("pieces up to the largest amplitude at {F_0}")
 #: whether it is linear
-ONE_PIECE = ("one piece: no angles, no corner", "linear: one piece, no angles, no corner")
+ONE_PIECE = ("one piece: no detachment, no corner", "linear: one piece, no detachment, no corner")
 NO_FOLDS = Step("folds", False, "a linear oscillator has none")
 FOLDS = "level crossings of the fold locus, and corners"
 STATES = "number of states at each frequency: one on each piece of the curve"
@@ -156,9 +156,7 @@ COMPOSED: Mapping[str, tuple[Step, ...]] = MappingProxyType(
             Step("averaging", False, "not needed: a sweep only follows the motion"),
         ),
         "transient": (
-            Step(
-                "motion", True, f"{_MOTION.why}; during the pulse, and afterwards until the mass turns twice or rests"
-            ),
+            Step("motion", True, f"{_MOTION.why}; during the pulse, and then until the mass reverses twice or rests"),
             _NO_STEADY_STATE,
         ),
         "shock_spectrum": (Step("motion", True, f"for each pulse: {_MOTION.why}"), _NO_STEADY_STATE),

@@ -119,9 +119,9 @@ class Force:
             raise Refused(f"{len(self.pieces)} pieces need {len(self.pieces) - 1} breakpoints")
         ends = self.breakpoints[self.innermost :]
         if self.odd and any(not b > a for a, b in pairwise((0.0, *ends))):
-            raise Refused(f"breakpoints = {ends} must be positive and rise")
+            raise Refused(f"breakpoints = {ends} must be positive and ascending")
         if not self.odd and any(not b > a for a, b in pairwise(ends)):
-            raise Refused(text("the pieces of the force end at {u = :r}: these must rise", ends))
+            raise Refused(text("the pieces of the force end at {u = :r}: these must be ascending", ends))
 
     @staticmethod
     def of(mechanism: Mechanism, parameters: tuple[float, ...]) -> Force:

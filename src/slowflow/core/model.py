@@ -38,10 +38,10 @@ WITHOUT_DAMPING = (
 BEYOND = Sentence("{numbers:s}: not allowed together, {name:s} would be beyond {most:g}")
 NO_END = Sentence("{numbers:s}: not allowed together, there is no real {u} at which piece {number:d} of the force ends")
 DO_NOT_RISE = Sentence(
-    "{numbers:s}: not allowed together, the force's pieces end at |{u}| = {u:g}, which must rise{above:s}"
+    "{numbers:s}: not allowed together, the force's pieces end at |{u}| = {u:g}, which must be ascending{above:s}"
 )
 DO_NOT_RISE_SIDED = Sentence(
-    "{numbers:s}: not allowed together, the force's pieces end at {u = :g}, which must rise{above:s}"
+    "{numbers:s}: not allowed together, the force's pieces end at {u = :g}, which must be ascending{above:s}"
 )
 PUSHES = Sentence("{what:s} is not allowed for {name:s}: its force jumps at {u} = 0, and pushes outwards")
 STIFF = Sentence("{what:s} is not allowed for {name:s}: its stiffness is infinite at {u} = 0")

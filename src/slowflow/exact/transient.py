@@ -150,12 +150,12 @@ def transient(
     """Integrate the motion from u = `at` with velocity v under the arcs, rows of `Arc`, and free motion afterwards.
 
     begin -- tau at which the arcs begin
-    after -- duration of the free motion; longer until the mass has turned twice or friction holds it: as it only loses
-             energy, A and a_max are then the largest for all time
+    after -- duration of the free motion; longer until the mass has reversed twice or friction holds it: as it only
+             loses energy, A and a_max are then the largest for all time
     rest  -- equilibrium without friction, by default `at`
 
-    Raises ArithmeticError if the motion escapes a softening spring, chatters where the force jumps, or does not turn,
-    and if a pulse is too weak compared with the load.
+    Raises ArithmeticError if the motion escapes a softening spring, chatters where the force jumps, or does not
+    reverse, and if a pulse is too weak compared with the load.
     """
     rest = at if rest is None else rest
     peak, rounding = float(arcs[:, 2].max(initial=0.0)), BACK * max(abs(at), abs(system.load))

@@ -466,7 +466,7 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         tau : array_like, optional
             Times of the samples of a record, ascending, shape (n,); the acceleration is linear between them.
         after : float, optional
-            Duration of the free motion afterwards, by default ten natural periods; longer until the mass has turned
+            Duration of the free motion afterwards, by default ten natural periods; longer until the mass has reversed
             twice.
         force : {"truncated", "untruncated"}, optional
             As in `restoring_force`.
@@ -542,7 +542,7 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
             If both or neither of S_0 and psd are given; without zeta and mu (under white noise c_2 suffices, under a
             psd mu with rubs="attached" does not); for eta > 0.
         ArithmeticError
-            Where there is no stationary motion; under a load also if the spring gives way far from the centre.
+            Where there is no stationary motion; under a load also if the spring force does not exceed it far away.
         """
         from slowflow.random_vibration.questions import random
 

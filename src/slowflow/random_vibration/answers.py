@@ -19,9 +19,9 @@ from slowflow.random_vibration.record import measured
 from slowflow.support.errors import Refused
 from slowflow_kernels import linearization
 
-NO_CYCLES = "averages over cycles of one energy are available under white noise only: random(S_0=...)"
+NO_CYCLES = "stochastic averaging of the energy is available under white noise only: random(S_0=...)"
 OFFSET = (
-    "averages over cycles of one energy are available about the centre only, not with a load or an asymmetric force; "
+    "stochastic averaging of the energy is available about the centre only, not with a load or an asymmetric force; "
     "measure() follows the motion in time"
 )
 #: by how many root mean squares the largest displacement exceeds them at most, and steps up to there
@@ -44,9 +44,9 @@ class RandomResponse(Drawn, Table, entry="Stationary"):
     dry           -- fraction of the damping due to dry friction, on which the accuracy depends
     message       -- diagnostics as text
 
-    Without a load all motions about the centre are proved to be these. With a load, or for an asymmetric force, it is
-    proved that there are no others within the range of mean and RMS that samples of the force allow, widened by a
-    quarter. See `native/exact/linearized.h` and `native/exact/offset.h`.
+    Without a load it is proved that there are no other motions about the centre. With a load, or for an asymmetric
+    force, it is proved that there are no others within the range of mean and RMS that samples of the force allow,
+    widened by a quarter. See `native/exact/linearized.h` and `native/exact/offset.h`.
     """
 
     picture: ClassVar[str] = "psd"

@@ -29,8 +29,10 @@ from slowflow_kernels import linearization, motion
 NODES = 20
 #: P from which on motions are left out; most panels of amplitudes up to there
 FARTHEST, MOST_PANELS = 50.0, 1000
-PUSHES_AWAY = Sentence("averages over cycles are not available: near {u = :.4g} the spring pushes away from the centre")
-GIVES_WAY = "averages over cycles are not available: the spring gives way"
+PUSHES_AWAY = Sentence(
+    "stochastic averaging of the energy is not available: near {u = :.4g} the spring pushes away from the centre"
+)
+GIVES_WAY = "stochastic averaging of the energy is not available: the spring is too weak to hold the mass"
 
 _at, _weights = legendre.leggauss(NODES)
 _inverse = np.linalg.inv(legendre.legvander(_at, NODES - 1))
@@ -44,7 +46,7 @@ def averages(system: EquationOfMotion, S_0: float, scale: float) -> Floats:
 
     scale -- of displacements
 
-    Raises ArithmeticError where the spring pushes away from the centre or gives way.
+    Raises ArithmeticError where the spring pushes away from the centre or is too weak to hold the mass.
     """
     first = system.force.innermost
     pieces, ends = system.force.pieces[first:], (0.0, *system.force.breakpoints[first:], math.inf)

@@ -50,7 +50,7 @@ class Tabulated:
         if self.Omega.ndim != 1 or self.Omega.shape != self.G.shape or self.Omega.size < 2:
             raise Refused("psd must be two rows of one length, of at least two points: frequencies and densities")
         if not (self.Omega[0] > 0 and (np.diff(self.Omega) >= 0).all() and self.Omega[-1] > self.Omega[0]):
-            raise Refused("the frequencies of psd must be positive and rise")
+            raise Refused("the frequencies of psd must be positive and ascending")
         x = np.log(self.Omega)
         self._x, self._y = x, np.log(self.G)
         wide = np.flatnonzero(np.diff(x) > 0)

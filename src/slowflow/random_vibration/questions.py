@@ -34,9 +34,13 @@ NUMBERS = 8
 MOST_DRY, MOST_ATTACHED, MOST_NONLINEAR, NARROW = 0.8, 0.5, 0.5, 4.0
 STUCK = "friction holds the mass nearly all of the time: no linear damping is equivalent to it"
 NOT_PUSHED_BACK = (
-    "random vibration about a mean needs a force that exceeds the load far from it on both sides: this spring gives way"
+    "random vibration about a mean needs a spring force that exceeds the load far from it on both sides: this one does "
+    "not"
 )
-GIVES_WAY = "there is no equivalent linear oscillator: on average the spring pushes away from the centre, or gives way"
+GIVES_WAY = (
+    "there is no equivalent linear oscillator: on average the spring pushes away from the centre, or is too weak to "
+    "hold the mass"
+)
 SEVERAL = Sentence(
     "there are {count:d} equivalent linear oscillators: the motion switches between them, and its averages match none "
     "of theirs; measure() simulates it"

@@ -52,7 +52,7 @@ class Force:
         description = stated.description(numbers)
         if any(not end >= begin for begin, end in pairwise((0.0, *self.ends))):
             where = ", ".join(f"{end:g}" for end in self.ends)
-            raise Refused(f"{description}pieces of {stated.name} end at |u| = {where}: these must rise up to the reach")
+            raise Refused(f"{description}pieces of {stated.name} end at |u| = {where}: must ascend up to the reach")
         self.smooth: list[Smooth | None] = []
         for number, (begin, end) in enumerate(zip(begins, self.ends, strict=True)):
             if not end > begin:

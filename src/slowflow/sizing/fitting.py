@@ -176,8 +176,9 @@ def fit(
     x, t : array_like, optional
         A free decay: displacements (for a mount in m) and their times (in s), released from rest at the first sample.
         The equation of motion is integrated from an initial displacement x_0 that is fitted too; the intervals are
-        linearized. Over the record, the starting point must stay within a fraction of a cycle of the data. With F: the
-        forces in N of a force-displacement loop, whose viscous part needs the times; its mean force is left out.
+        linearized. Over the record, the decay from the starting point must stay within a fraction of a cycle of the
+        data. With F: the forces in N of a force-displacement loop, whose viscous part needs the times; its mean force
+        is left out.
     free : sequence of str, optional
         Names of the parameters to fit; by default friction, damping and stiffnesses.
     **at : Measured
@@ -545,7 +546,7 @@ def _in_time(subject: Subject, rows: Mapping[str, Any]) -> _Measured:
     if any(row.shape != (known["x"].size,) for row in known.values()) or known["x"].size < LEAST_SAMPLES:
         raise Refused(f"{', '.join(known)} must be rows of one length, of at least {LEAST_SAMPLES} samples")
     if "t" in known and (np.diff(known["t"]) <= 0).any():
-        raise Refused("t is not allowed: the times must rise")
+        raise Refused("t is not allowed: the times must be ascending")
     validate.is_in_time("a fit to motions in time", subject.laws)
     return _loop(subject, **known) if "F" in known else _decay(subject, **known)
 

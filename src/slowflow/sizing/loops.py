@@ -118,7 +118,7 @@ def from_loop(x: Any, F: Any, *, t: Any = None) -> Loop:
     if t is not None:
         rows["t"] = validate.finite_array("t", si("t", t, "s"))
         if (np.diff(rows["t"]) <= 0).any():
-            raise Refused("t is not allowed: the times must rise")
+            raise Refused("t is not allowed: the times must be ascending")
     if any(row.shape != (x.size,) for row in rows.values()) or x.size < LEAST_SAMPLES:
         raise Refused(f"{', '.join(rows)} must be rows of one length, of at least {LEAST_SAMPLES} samples")
     v = _velocity(x) / (1.0 if t is None else _velocity(rows["t"]))

@@ -69,7 +69,7 @@ class Met(Answer):
         return hash((self.design, self.binding))
 
     def in_units(self) -> Met:
-        """The same in the units in which answers are shown: N, mm, Hz, ... . The free numbers stay as on the sheet."""
+        """The same in the units in which answers are shown: N, mm, Hz, ... . Free parameters are not converted."""
         shown = {name: in_shown(self.units.get(name, "")) for name in self.reached}
         reached = {name: value / shown[name][1] for name, value in self.reached.items()}
         units = {name: unit for name, (unit, _) in shown.items() if unit}
@@ -108,7 +108,7 @@ class Front(Table, entry="Compromise"):
         return hash((self.answers, self.one.tobytes(), self.other.tobytes()))
 
     def in_units(self) -> Front:
-        """The same in the units in which answers are shown: N, mm, Hz, ... . The free numbers stay as on the sheet."""
+        """The same in the units in which answers are shown: N, mm, Hz, ... . Free parameters are not converted."""
         (shown, size), (other_unit, other) = (in_shown(unit) for unit in self.units)
         return replace(self, one=frozen(self.one / size), other=frozen(self.other / other), units=(shown, other_unit))
 
