@@ -254,9 +254,9 @@ class Report:
             at = ", ".join(f"{kind.replace('-', 's ')} at {_number(folds, x, self.f)}" for kind, x in jumps)
             yield f"it {at};"
         elif (lowest := _one(onset, f"{self.letter[0]}_SN")) is None:
-            yield "it does not jump, as at any other amplitude of the excitation;"
+            yield "it does not jump, nor does it at any other amplitude of the excitation;"
         else:
-            yield f"it does not jump, as it does only above {lowest};"
+            yield f"it does not jump: jumps occur only above {lowest};"
         least = f"{self.letter[0]}_cr"
         most = _one((margins or [leaving])[0], least)
         if margins:
@@ -359,7 +359,7 @@ class Report:
             pulses = [{head(name, one.units()): value for name, value in one.numbers().items()} for one in queries]
             more = (*UNSHOWN, "x_cr", "u_cr", "t_A", "tau_A", "t_a", "tau_a", "t_detaches", "tau_detaches")
             stroke = _one(found[0], "x_cr", "u_cr")
-            remark = f'; beyond the stroke, {stroke}, "detaches" says yes' if stroke else ""
+            remark = f'; "detaches" is "yes" if the stroke, {stroke}, is exceeded' if stroke else ""
             yield _table(
                 f"Shocks of the base, by the equation of motion{remark}", *found, leading=pulses, left_out=more
             )
