@@ -14,7 +14,7 @@ import sympy as sp
 from slowflow import derive, exact, include
 from slowflow.core import backend
 from slowflow_kernels.conventions import Status
-from tests.derived.test_forces import ABOVE_0, CASES, DAMPING, FORCES, c, derived, k, u
+from tests.derived.test_forces import ABOVE_0, CASES, DAMPING, FORCES, c, derived, k, names_of, u
 from tests.native.compiler import COMPILER
 from tests.native.records import bent
 from tests.oracles import exact_reference
@@ -112,9 +112,11 @@ def test_what_is_written_for_other_programs_compiles_alone(tmp_path):
     names = derived("wave").write(tmp_path)
     header = next(name for name in names if name.endswith(".h") and "intervals" not in name)
     prefix = header.removesuffix(".h")
+    pieces, numbers = FORCES["wave"]
+    values = ", ".join(str(numbers[name]) for name in names_of(pieces))
     (tmp_path / "user.c").write_text(
         f'#include <stdio.h>\n#include "{header}"\n'
-        "int main(void) {\n    double p[2] = {0.3, 5.0}, h[4];\n"
+        f"int main(void) {{\n    double p[2] = {{{values}}}, h[4];\n"
         f"    {prefix}_averaged(0.9, p, h);\n"
         '    printf("%.17g\\n", h[0]);\n    return 0;\n}\n'
     )

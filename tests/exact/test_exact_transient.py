@@ -343,7 +343,10 @@ def test_what_is_no_shock_is_refused():
         (lambda: iso.transient(acceleration=[0.1, 0.2], tau=[1.0, 0.5]), "tau ascending"),
         (lambda: iso.transient(acceleration=[0.1, 0.2, 0.1], tau=[1.0, 1.5]), r"\(2,\) and \(3,\)"),
         (lambda: Isolator.many(lam=3, r=2, delta_h=0.1).transient(acceleration=0.1), "either its duration"),
-        (lambda: Isolator.many(lam=3, r=2, delta_h=0.1).transient(acceleration=0.1, tau=[0, 1]), "as many samples"),
+        (
+            lambda: Isolator.many(lam=3, r=2, delta_h=0.1).transient(acceleration=0.1, tau=[0, 1]),
+            "same number of samples",
+        ),
         (lambda: iso.shock_spectrum(acceleration=-0.1, duration=1.0), "acceleration = -0.1"),
         (lambda: mount.transient(acceleration=20.0, duration="11 mm"), "duration = '11 mm'"),
     ):
