@@ -39,7 +39,7 @@ def density(scales: Scales, psd: Any, unit: str) -> tuple[Floats, Floats]:
     return at, validate.positive_array("G", G) * (of_unit / sizes[kind]) ** 2 * sizes["frequency"]
 
 
-class Excited:
+class TakesAmplitude:
     """In SI units: the amplitude of the excitation is given once, first or by its letter."""
 
     scales: Any

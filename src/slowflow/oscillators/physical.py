@@ -22,7 +22,7 @@ from slowflow.averaged.plan import Plan
 from slowflow.core import validate
 from slowflow.core.mechanism import Floats
 from slowflow.oscillators import range_checks
-from slowflow.oscillators.arguments import PLAIN, REMARKS, Excited, density, window
+from slowflow.oscillators.arguments import PLAIN, REMARKS, TakesAmplitude, density, window
 from slowflow.oscillators.measurements import Columns
 from slowflow.support.errors import OutOfRange, Refused
 from slowflow.support.text import in_units
@@ -45,7 +45,7 @@ def _takes(question: Any) -> Mapping[str, inspect.Parameter]:
 
 
 @dataclass(frozen=True, repr=False)
-class Physical(Excited):
+class Physical(TakesAmplitude):
     """An oscillator in SI units: arguments and answers have forces in N, frequencies f in Hz, lengths in m.
 
     A question takes the amplitude of the excitation as its first argument, or by name: a force F in N, the displacement

@@ -24,7 +24,7 @@ from slowflow.averaged.batches import Batch, in_dataset, in_rows, spanned
 from slowflow.core import validate
 from slowflow.core.mechanism import Floats
 from slowflow.oscillators import range_checks
-from slowflow.oscillators.arguments import PLAIN, REMARKS, Excited, density, window
+from slowflow.oscillators.arguments import PLAIN, REMARKS, TakesAmplitude, density, window
 from slowflow.support.immutable import Unchanging
 
 if TYPE_CHECKING:
@@ -169,7 +169,7 @@ class ManyQuantities(Quantities, Many):
         return pictures.design_map(ax, *spanned(self.numbers, x, y, of, values))
 
 
-class PhysicalDesigns(Excited, Unchanging):
+class PhysicalDesigns(TakesAmplitude, Unchanging):
     """Many mounts in SI units: data and arguments are arrays that broadcast, answers are `ManyQuantities`.
 
     Made by `mount.many(k_h=..., m=...)`. The questions are those of the mount that `Isolator.many` has too, with the
