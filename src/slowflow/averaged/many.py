@@ -423,7 +423,7 @@ class Designs(Unchanging, ManyQuestions[Batch]):
         solve = question.batch(record) if question.batch is not None and record is not None else None
         blank = question.blank(places, Status.UNRESOLVED).values()
         outputs = [np.empty((*shape, *one.shape), one.dtype) for one in blank]
-        if solve is None:  # which writes each entry
+        if solve is None:  # compiled solvers write each entry themselves
             for output, one in zip(outputs, blank, strict=True):
                 output[...] = one
         solved = outputs

@@ -59,7 +59,8 @@ def gradient(found: Any, system: EquationOfMotion, oscillator: Any) -> Gradient:
             shifted = np.array(parameters) + shifts[: len(parameters)]
             edges = ends + shifts[len(parameters) :]
             edges = edges[ends > 0] if system.force.odd else edges
-            resists = {name: value + change for name, value, change in zip(present, laws, step[count:], strict=False)}
+            shifts_of_laws = step[count : size - offset]
+            resists = {name: one + change for name, one, change in zip(present, laws, shifts_of_laws, strict=True)}
             motion = B + u * (step[2] if offset else 0), u * (1 + step[0]), v * (1 + step[1])
             return _state(system, shifted, edges, resists, system.load + (step[-1] if offset else 0), *motion)
 

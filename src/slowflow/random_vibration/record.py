@@ -53,27 +53,26 @@ def measured(
     system = replace(system, inertial=False)
     below, above = system.force.first_ends
     random = np.random.default_rng(seed)
-    sums = []
+    averages = []
     for _ in range(records):
         w = process(excitation, step, top, each + before, random)
         u, v = followed(system, w, step, near)[:, before:]
         a = accelerations(system, u, v, w[before + 1 :])
         y = u - near
-        sums.append([np.mean(one) for one in (v**2, a**2, (u < below) | (u > above), y, y**2, y**3, y**4)])
+        averages.append([np.mean(one) for one in (v**2, a**2, (u < below) | (u > above), y, y**2, y**3, y**4)])
     # the distribution of a mean of few numbers (Student): SciPy's special functions are quick to load
     from scipy.special import stdtrit
 
     student = float(stdtrit(records - 1, 0.975)) / math.sqrt(records)
-    v_2, a_2, beyond, *moments = np.mean(sums, axis=0)
-    off = 0.0 if system.centred else moments[0]
-    _, y_2, y_3, y_4 = moments
+    of_each = np.array(averages).T
+    v_2, a_2, beyond, y_1, y_2, y_3, y_4 = of_each.mean(axis=1)
+    off = 0.0 if system.centred else y_1
     squares = np.array([y_2 - off**2, v_2, a_2])
     fourth = y_4 - 4 * off * y_3 + 6 * off**2 * y_2 - 3 * off**4
-    each_off, each_v, each_a = np.array(sums)[:, [3, 0, 1]].T
-    each_u = np.array(sums)[:, 4] - 2 * off * each_off
+    each_v, each_a, _, each_y, each_y_2, *_ = of_each
     rms = np.sqrt(squares)
-    margins = student * np.std([each_u, each_v, each_a], axis=1, ddof=1) / (2 * rms)
-    B_margin = 0.0 if system.centred else student * np.std(each_off, ddof=1)
+    margins = student * np.std([each_y_2 - 2 * off * each_y, each_v, each_a], axis=1, ddof=1) / (2 * rms)
+    B_margin = 0.0 if system.centred else student * np.std(each_y, ddof=1)
     fraction = math.nan if math.isinf(below) and math.isinf(above) else beyond
     averaged = fraction, fourth / squares[0] ** 2, records * each * step
     return tuple(map(float, (near + off, *rms, B_margin, *margins, *averaged)))

@@ -8,6 +8,7 @@ from collections.abc import Callable, Sequence
 from types import FunctionType, ModuleType, SimpleNamespace
 from typing import Any
 
+from slowflow.support import broadcast
 from slowflow.support.errors import Refused
 
 DOUBLES = "JAX computes in 32 bits: call jax.config.update('jax_enable_x64', True) first"
@@ -46,7 +47,8 @@ def in_jax(module: ModuleType) -> SimpleNamespace:
     """
     import jax.numpy as jnp
 
-    shared = {one.__name__: one for one in (floats, broadcast_outputs, stacked, by_regime, number_by_regime)}
+    shared: dict[str, Any] = {one.__name__: one for one in (floats, broadcast_outputs, stacked, by_regime)}
+    shared["number_by_regime"] = FunctionType(broadcast.number_by_regime.__code__, shared)  # by this `by_regime`
     own = {**vars(module), "np": jnp}
     for name, value in vars(module).items():
         kernel = inspect.unwrap(value) if callable(value) else value
@@ -111,9 +113,3 @@ def _doubles_of(body: Callable[..., Any], *numbers: Any) -> list[Any]:
     import jax.numpy as jnp
 
     return [jnp.asarray(one, dtype=float) for one in body(*numbers)]
-
-
-def number_by_regime(guards: Sequence[Any], bodies: Sequence[Callable[..., Any]], arguments: Sequence[Any]) -> Any:
-    """The same for bodies that give one number."""
-    tuples = [lambda *selected, body=body: (body(*selected),) for body in bodies]
-    return by_regime(guards, tuples, arguments, 1)[0]
