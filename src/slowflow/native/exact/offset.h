@@ -267,23 +267,15 @@ static void sf_search_offset(sf_offset *of, sf_offset_box box)
     sf_cut_offset(of, &box, wide);
 }
 
-/* f - load at samples on both sides, by rising |u| on each; steepest: of slopes, rises: of jumps upwards, up to some |u| */
+/* f - load at samples on both sides, and next to either side of each edge */
 typedef struct {
     int count;
     double u[4 * SF_FAR_SAMPLES], f[4 * SF_FAR_SAMPLES];
 } sf_far_samples;
 
-static const sf_piece *sf_piece_about(const sf_system *system, double u)
-{
-    int i = 0;
-    while (i + 1 < system->pieces && u >= system->edge[i + 1])
-        i++;
-    return &system->piece[i];
-}
-
 static void sf_put_sample(const sf_system *system, double u, sf_far_samples *to)
 {
-    const double f = sf_value(sf_piece_about(system, u), u) - system->load;
+    const double f = sf_value(sf_piece_of(system, sf_region_of(system, u)), u) - system->load;
     if (!isnan(f) && to->count < 4 * SF_FAR_SAMPLES)
         to->u[to->count] = u, to->f[to->count++] = f;
 }
@@ -317,7 +309,7 @@ static double sf_stiffest(const sf_system *system, const sf_far_samples *of, dou
     double slope = 0.0, rises = 0.0;
     for (int i = 0; i < of->count; i++)
         if (fabs(of->u[i]) <= farthest)
-            slope = fmax(slope, sf_slope(sf_piece_about(system, of->u[i]), of->u[i]));
+            slope = fmax(slope, sf_slope(sf_piece_of(system, sf_region_of(system, of->u[i])), of->u[i]));
     for (int i = 1; i < system->pieces; i++)
         rises += fmax(sf_value(&system->piece[i], system->edge[i]) - sf_value(&system->piece[i - 1], system->edge[i]), 0.0);
     return SF_MORE * (slope + 0.5 * SF_DENSITY * rises / sigma);
@@ -376,7 +368,8 @@ static int sf_offset_motions(const sf_system *system, double power, const sf_tab
     for (int i = 0; i < SF_FAR_SAMPLES; i++, u *= grows)
         sf_put_sample(system, u, &samples), sf_put_sample(system, -u, &samples);
     for (int i = 1; i < system->pieces; i++)
-        sf_put_sample(system, system->edge[i], &samples), sf_put_sample(system, nextafter(system->edge[i], -HUGE_VAL), &samples);
+        for (int side = -1; side <= 1; side += 2)
+            sf_put_sample(system, nextafter(system->edge[i], side * HUGE_VAL), &samples);
     const double farthest = sf_farthest_motion(&samples, of.most);
     if (!(farthest < HUGE_VAL))
         return -1;
