@@ -434,17 +434,46 @@ def test_gradient_of_a_force_that_jumps_is_that_of_its_tails(laws):
         assert slope == pytest.approx(float(expected), rel=2e-13)
 
 
-def test_gradient_under_a_table_is_that_of_its_answers():
-    one, step = Isolator(**DESIGN, mu=0.005, zeta=0.02), 1e-4
-    gradient = one.random(psd=FLOOR).gradient()
-    assert gradient.by == (*DESIGN, "mu", "zeta")
+def check_gradient(one, step=1e-4, rel=1e-6, **excitation):
+    """Each of its derivatives by differences of answers; the springs of a mount are counted."""
+    sizes = {"psd_G": 1.0, "psd_Omega": 1.0, "psd_f": 1.0, "S_0": excitation.get("S_0"), **one.given}
+    gradient = one.random(**excitation).gradient()
+
+    def changed(name, factor):
+        if name in one.given:
+            return one.replace(**{name: sizes[name] * factor}).random(**excitation)
+        if name == "S_0":
+            return one.random(S_0=sizes[name] * factor)
+        factors = (1.0, factor) if name == "psd_G" else (factor, 1.0)
+        psd = [np.array(row) * each for row, each in zip(excitation["psd"], factors, strict=True)]
+        return one.random(**{**excitation, "psd": psd})
+
     for name in gradient.by:
-        ends = [one.replace(**{name: getattr(one, name) * (1 + sign * step)}).random(psd=FLOOR) for sign in (1, -1)]
+        if name == "n":
+            continue
+        ends = [changed(name, 1 + sign * step) for sign in (1, -1)]
         for of in gradient.of:
-            slope = (getattr(ends[0], of)[0] - getattr(ends[1], of)[0]) / (2 * step * getattr(one, name))
-            assert gradient[of, name][0] == pytest.approx(slope, rel=1e-6)
-    with pytest.raises(Refused, match="dimensionless"):
-        Isolator.physical(**MOUNT).random(psd=ROAD).gradient()
+            above, below = (getattr(end, of)[0] for end in ends)
+            change, size = gradient[of, name][0] * sizes[name], abs(above) + abs(below)
+            assert change == pytest.approx((above - below) / (2 * step), rel=rel, abs=1e-7 * size)
+    return gradient
+
+
+def test_gradient_under_a_table_is_that_of_its_answers():
+    gradient = check_gradient(Isolator(**DESIGN, mu=0.005, zeta=0.02), psd=FLOOR)
+    assert gradient.by == (*DESIGN, "mu", "zeta", "psd_G", "psd_Omega")
+
+
+@pytest.mark.parametrize(("unit", "level"), (("(m/s^2)^2/Hz", 0.01), ("N^2/Hz", 1.5)))
+def test_gradient_of_a_mount_is_that_of_its_answers_in_si_units(unit, level):
+    """A force is divided by the mass, an acceleration of the base is not."""
+    sheet, psd = {**MOUNT, "mounts": 2, "load": 12.5}, (ROAD[0], [level, level, level / 400])
+    gradient = check_gradient(Isolator.physical(**sheet), psd=psd, unit=unit)
+    data = {"n", "k_h", "preload", "friction", "zeta", "load", "k_v", "L", "m"}
+    assert set(gradient.by) == {*data, "psd_G", "psd_f"}
+    assert gradient.of == ("x_rms", "v_rms", "a_rms", "B")
+    springs = Duffing.physical(m=12.0, k_1=2500.0, k_3=3e6, friction=0.4, c=20.0)
+    check_gradient(springs, psd=psd, unit=unit)
 
 
 SCENE = """[{kind}]

@@ -129,6 +129,7 @@ OF_KIND: Mapping[str, Scale] = MappingProxyType(
         "stiffness": Scale("k", 1.0, (1.0, 0.0, 0.0)),
         "damping": Scale("c", 1.0, (0.5, 0.0, 0.5)),
         "rate": Scale("omega_n", 1.0, (0.5, 0.0, -0.5)),
+        "speed": Scale("v", 1.0, (0.5, 1.0, -0.5)),
     }
 )
 #: of a cubic spring
@@ -264,13 +265,12 @@ class Quantities(Answer):
 
         The derivatives are exact and in SI units, whatever units this answer is in. `.of` has the names of the numbers,
         such as "Y_SN" or "A", `.by` those of the parameters: "k_h", "preload", "friction", "zeta" or "c", "m", "k_v",
-        "L", "n" as a real number, and F (Y, U) and f if the question took them. Raises ValueError for answers that are
-        not averaged, and for a mount without preload, whose springs never touch the push-rod.
+        "L", "n" as a real number, and F (Y, U) and f if the question took them; of random vibration the factors psd_G
+        and psd_f of all densities and all frequencies. Raises ValueError for answers that are not averaged, and for a
+        mount without preload, whose springs never touch the push-rod.
         """
         if self.scales is None or not hasattr(self.answer, "gradient"):
             raise Refused("only averaged answers have gradients: this answer is not averaged")
-        if hasattr(self.answer, "response_psd"):  # the table has units as well
-            raise Refused("gradients of random vibration are dimensionless: those of .answer.gradient()")
         return self.scales.gradient(self.answer.gradient())
 
     def measure(self, force: str | None = None, **options: Any) -> Quantities:
@@ -523,14 +523,16 @@ class Scales:
             raise Refused(WITHOUT_PRELOAD)
         arguments = {"F_0": OF_KIND[self.amplitude], "Omega": SCALES["Omega"], "load": SCALES["F_0"]}
         known = self.measures | {name: (self.symbol(name), scale) for name, scale in arguments.items()}
+        # factors of the densities of a table, the square of what excites over a frequency, and of its frequencies
+        density = 2 * np.array(arguments["F_0"].powers) - arguments["Omega"].powers
+        known |= {"psd_G": ("psd_G", PURE._replace(powers=tuple(density))), "psd_Omega": ("psd_f", SCALES["Omega"])}
         by, measures = zip(*(known[name] for name in found.by), strict=True)
         of, kinds = zip(*(self.kind(name) for name in found.of), strict=True)
         answers = [OF_KIND[kind] for kind in kinds]
-        # a frequency is in turns, not in radians
+        # a frequency is in turns, not in radians; a factor has no unit
         sizes = [self.sizes[kind] if kind else 1.0 for kind in kinds]
-        units = [
-            self.sizes["frequency"] if name == "f" else self.of(one) for name, one in zip(by, measures, strict=True)
-        ]
+        sized = {"f": self.sizes["frequency"], "psd_G": 1.0, "psd_f": 1.0}
+        units = [sized[name] if name in sized else self.of(one) for name, one in zip(by, measures, strict=True)]
         values, at, base, size_of, size_by = (
             np.stack([np.broadcast_to(np.asarray(one, dtype=float), found.status.shape) for one in numbers], axis=-1)
             for numbers in (found._values, found._at, [getattr(self, name) for name in BASE], sizes, units)

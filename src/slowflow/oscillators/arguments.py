@@ -26,8 +26,8 @@ def window(scales: Scales, f: Any) -> tuple[float, float]:
     return low / scales.sizes["frequency"], high / scales.sizes["frequency"]
 
 
-def density(scales: Scales, psd: Any, unit: str) -> tuple[Floats, Floats]:
-    """Make a spectral density dimensionless, its frequencies too."""
+def density(scales: Scales, psd: Any, unit: str) -> tuple[str, tuple[Floats, Floats]]:
+    """The excitation that a spectral density is of, and it made dimensionless, its frequencies too."""
     if isinstance(psd, Columns):
         if missing := {"f", "G"} - psd.keys():
             raise Refused(f"psd needs the columns f and G: {min(missing)} is missing")
@@ -36,7 +36,7 @@ def density(scales: Scales, psd: Any, unit: str) -> tuple[Floats, Floats]:
     f, G = validate.two_rows("psd", psd, "frequencies in Hz and densities")
     sizes = scales.sizes
     at = validate.positive_array("f", si("f", f, "Hz")) / sizes["frequency"]
-    return at, validate.positive_array("G", G) * (of_unit / sizes[kind]) ** 2 * sizes["frequency"]
+    return kind, (at, validate.positive_array("G", G) * (of_unit / sizes[kind]) ** 2 * sizes["frequency"])
 
 
 class TakesAmplitude:

@@ -462,10 +462,10 @@ class Physical(TakesAmplitude):
             and .damping in N s/m of the equivalent linear oscillator, .beyond and .crossing_rate in 1/s of the stroke;
             shape (motions,).
         """
-        table = density(self.scales, psd, unit)
+        excitation, table = density(self.scales, psd, unit)
         with self.scales.in_these_terms():
             found = self.oscillator.random(psd=table)
-        return cast("answers.Random", self.scales.quantities(found))
+        return cast("answers.Random", dataclasses.replace(self.scales, excitation=excitation).quantities(found))
 
     def margins(self, amplitude: Number | None = None, /, **at: Unpack[Amplitude[Number]]) -> answers.One:
         """Compare F in N (or Y, a, U) with F_SN and F_cr: .of_SN = F_SN/F and .of_cr = F_cr/F, < 1 if exceeded."""

@@ -299,7 +299,7 @@ class PhysicalDesigns(TakesAmplitude, Unchanging):
         shown, kind = self.scales.kind(plain)
         if _is_of_all(row, name):
             if plain == "psd":
-                return density(one, value, arguments["unit"])
+                return density(one, value, arguments["unit"])[1]
             return window(one, value) if kind == "frequency" else si(shown, value, SI[kind]) / one.sizes[kind]
         if not kind:
             return value

@@ -108,9 +108,10 @@ class RandomResponse(Drawn, Table, entry="Stationary"):
         return np.asarray(np.trapezoid(survives, level, axis=1))
 
     def gradient(self) -> Gradient:
-        """Differentiate u_rms, v_rms and a_rms of each motion with respect to the design, its damping and S_0.
+        """Differentiate u_rms, v_rms and a_rms of each motion with respect to the design, damping and excitation.
 
-        The derivatives are exact; those with respect to c_2, c_3 and zeta_2 if these are not 0, to S_0 for white noise.
+        The derivatives are exact; those with respect to c_2, c_3 and zeta_2 if these are not 0, to S_0 for white noise,
+        and for a table to factors of all its densities (psd_G) and of all its frequencies (psd_Omega), which are 1.
         For motions about a mean B is differentiated too, also with respect to the load.
         Where two equivalent oscillators merge there is no gradient; `.status` and `.message` say so. Raises ValueError
         if the derivatives of the force with respect to the design are not known.

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
@@ -27,6 +28,15 @@ class White:
     def density(self, Omega: Floats) -> Floats:
         """One-sided, 2 S_0."""
         return np.full(Omega.shape, 2 * self.S_0)
+
+    @property
+    def numbers(self) -> dict[str, float]:
+        """By which moments are differentiated, by name."""
+        return {"S_0": self.S_0}
+
+    def by_numbers(self, k: float, c: float) -> Floats:
+        """Slopes of ln I_0 and ln I_2 by these, (2, numbers): both are in proportion to S_0."""
+        return np.full((2, 1), 1 / self.S_0)
 
     @property
     def for_C(self) -> float:
@@ -68,6 +78,14 @@ class Tabulated:
     def _within(self, x: Floats) -> Floats:
         part = np.clip(np.searchsorted(self._begins, x, side="right") - 1, 0, None)
         return np.asarray(np.exp(self._y_begins[part] + self._slopes[part] * (x - self._begins[part])))
+
+    #: factors of all densities and of all frequencies
+    numbers = MappingProxyType({"psd_G": 1.0, "psd_Omega": 1.0})
+
+    def by_numbers(self, k: float, c: float) -> Floats:
+        """As those of white noise: at frequencies s Omega, I_j is s^(j - 3) times that of k/s^2 and c/s."""
+        by_p, by_q = self.slopes(k, c).T
+        return np.stack((np.ones(2), np.array([-3, -1]) - 2 * by_p - by_q), axis=1)
 
     def slopes(self, k: float, c: float) -> Floats:
         """As those of white noise."""

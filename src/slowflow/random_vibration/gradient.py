@@ -22,7 +22,7 @@ from slowflow.answers.sensitivities import OF_FUNCTIONS, OF_RECORD
 from slowflow.core import validate
 from slowflow.core.mechanism import EquationOfMotion
 from slowflow.random_vibration.energy import AT, WEIGHTS
-from slowflow.random_vibration.excitation import IMAGINARY, White
+from slowflow.random_vibration.excitation import IMAGINARY
 from slowflow_kernels import linearization
 from slowflow_kernels.conventions import GradientStatus
 
@@ -43,8 +43,8 @@ def gradient(found: Any, system: EquationOfMotion, oscillator: Any) -> Gradient:
     others = [name for name in LAWS[2:] if getattr(system, name) > 0]
     present, offset = [*LAWS[:2], *others], not system.centred
     laws = tuple(getattr(system, name) for name in present)
-    power = (found.excitation.S_0,) if isinstance(found.excitation, White) else ()
-    by = (*names, *present, *("load",) * offset, *("S_0",) * len(power))
+    excitation = found.excitation
+    by = (*names, *present, *("load",) * offset, *excitation.numbers)
     parameters, ends = model.parameters, np.array(mechanism.breakpoints(*model.parameters), dtype=float)
     # of each parameter, then of each breakpoint, by each number of the design
     by_design = np.array(mechanism.by_design(*model.design), dtype=float).reshape(-1, len(names))
@@ -65,21 +65,21 @@ def gradient(found: Any, system: EquationOfMotion, oscillator: Any) -> Gradient:
             return _state(system, shifted, edges, resists, system.load + (step[-1] if offset else 0), *motion)
 
         by_all = np.array([at(1j * IMAGINARY * one).imag / IMAGINARY for one in np.eye(size)]).T
-        k = float(found.stiffness[row])
-        by_p_q = found.excitation.slopes(k, float(found.damping[row]))
+        k, c = float(found.stiffness[row]), float(found.damping[row])
+        by_p_q, by_excitation = excitation.slopes(k, c), excitation.by_numbers(k, c)
         matrix = np.concatenate((2 * np.eye(2, own) - by_p_q @ by_all[:2, :own], by_all[3:, :own] / (k * u)))
         if not abs(np.linalg.det(matrix)) > SINGULAR:
             status[row], slopes[row] = GradientStatus.MEETS, math.nan
             continue
         others_by = np.concatenate((by_p_q @ by_all[:2, own:], -by_all[3:, own:] / (k * u)))
-        # I_0 and I_2 are in proportion to S_0, which nothing else depends on
-        of_power = np.concatenate((1 / np.tile(power, (2, 1)), np.zeros((int(offset), len(power)))))
-        relative = np.linalg.solve(matrix, np.concatenate((others_by, of_power), axis=1))
-        of_a = by_all[2, :own] @ relative + np.append(by_all[2, own:], np.zeros(len(power)))
+        of_moments = np.pad(by_excitation, ((0, int(offset)), (0, 0)))
+        relative = np.linalg.solve(matrix, np.concatenate((others_by, of_moments), axis=1))
+        of_a = by_all[2, :own] @ relative + np.append(by_all[2, own:], np.zeros(len(excitation.numbers)))
         slopes[row] = [u * relative[0], v * relative[1], of_a / (2 * found.a_rms[row]), *u * relative[2:]]
     values = found.u_rms, found.v_rms, found.a_rms, *(found.B,) * offset
     of = ("u_rms", "v_rms", "a_rms", *("B",) * offset)
-    return Gradient(of, by, slopes, status, values, (*model.design, *laws, *(system.load,) * offset, *power))
+    at_numbers = (*model.design, *laws, *(system.load,) * offset, *excitation.numbers.values())
+    return Gradient(of, by, slopes, status, values, at_numbers)
 
 
 def _pieces(system: EquationOfMotion, ends: Any, reach: tuple[float, float]) -> tuple[Any, Any]:
