@@ -770,9 +770,11 @@ SLIPS = {
 @pytest.mark.parametrize("slip", SLIPS)
 def test_a_slip_of_units_is_told_when_a_mount_is_made(slip, mount):
     changes, message = SLIPS[slip]
-    with pytest.warns(Implausible, match=message) as warned:
-        mount.replace(**changes)
-    assert len(warned) == 1
+    second = {name: [mount.given[name] or 12, value] for name, value in changes.items()}
+    for make in (lambda: mount.replace(**changes), lambda: mount.many(**second)):
+        with pytest.warns(Implausible, match=message) as warned:
+            make()
+        assert len(warned) == 1
 
 
 def test_preload_in_millimetres_is_no_design(mount):

@@ -143,9 +143,7 @@ class Answer:
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Answer) or type(self) is not type(other):
             return NotImplemented
-        return all(
-            _same(one, two) for one, two in zip(self._content().values(), other._content().values(), strict=True)
-        )
+        return all(same(one, two) for one, two in zip(self._content().values(), other._content().values(), strict=True))
 
     def __hash__(self) -> int:
         content = (value.tobytes() if isinstance(value, np.ndarray) else value for value in self._content().values())
@@ -410,11 +408,12 @@ def plain(value: Any) -> Any:
     return int(value) if isinstance(value, int) and not isinstance(value, bool) else value
 
 
-def _same(one: Any, two: Any) -> bool:
+def same(one: Any, two: Any) -> bool:
+    """Whether two values are equal, arrays and mappings of arrays by their content."""
     if isinstance(one, np.ndarray):
         return np.array_equal(one, two, equal_nan=one.dtype.kind in "fc")
     if isinstance(one, Mapping):
-        return one.keys() == two.keys() and all(_same(one[name], two[name]) for name in one)
+        return one.keys() == two.keys() and all(same(one[name], two[name]) for name in one)
     return bool(one == two)
 
 

@@ -74,6 +74,7 @@ from slowflow.averaged import plan
 from slowflow.averaged.plan import Plan
 from slowflow.core import validate
 from slowflow.oscillators import range_checks
+from slowflow.oscillators.arguments import REMARKS
 from slowflow.oscillators.isolator import Duffing, Isolator
 from slowflow.oscillators.measurements import read_csv
 from slowflow.oscillators.physical import Physical
@@ -688,8 +689,7 @@ def _implausible(of: Any, queries: Iterable[Asked]) -> Iterator[str]:
         values += [("duration", one.arguments.get("duration")), ("duration", one.arguments.get("shock", [None])[-1])]
         for name, value in values:
             if value is not None:
-                remark = range_checks.of_frequency if name == "f" else range_checks.of_duration
-                yield from remark(max(value) if isinstance(value, (list, tuple)) else value, f_n)
+                yield from REMARKS[name](value, f_n)
 
 
 def _quoted(value: Any) -> str:

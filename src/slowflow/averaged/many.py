@@ -15,12 +15,14 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import islice
+from operator import attrgetter
 from types import MappingProxyType
 from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
+from slowflow.answers.answer import same
 from slowflow.answers.certificate import DOUBLES
 from slowflow.answers.results import Remark
 from slowflow.answers.table import AVERAGING, MORE_POINTS, QUESTIONS, Codes, ManyQuestions, Unanswered
@@ -210,11 +212,10 @@ class Designs(Unchanging, ManyQuestions[Batch]):
         self.__dict__["shape"] = validate.common_shape(numbers)
 
     def __eq__(self, other: object) -> bool:
-        if not isinstance(other, Designs) or (self.mechanism, *self.values) != (other.mechanism, *other.values):
-            return NotImplemented if not isinstance(other, Designs) else False
-        pairs = zip(self.values.values(), other.values.values(), strict=True)
-        same = (self.excitation, self.rubs) == (other.excitation, other.rubs)
-        return same and all(np.array_equal(one, two, equal_nan=True) for one, two in pairs)
+        if not isinstance(other, Designs):
+            return NotImplemented
+        settings = attrgetter("mechanism", "excitation", "rubs")
+        return settings(self) == settings(other) and same(self.values, other.values)
 
     def __hash__(self) -> int:
         return hash((self.mechanism, *(value.tobytes() for value in self.values.values())))

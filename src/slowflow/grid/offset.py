@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import Any
 
-from slowflow.answers.table import ManyQuestions
 from slowflow.averaged.batches import Batch
 from slowflow.off_centre import many
 from slowflow.random_vibration.many import answer
@@ -12,8 +11,6 @@ from slowflow.random_vibration.many import answer
 
 class OffCentreDesigns(many.OffCentreDesigns):
     """Arrays of designs of one mechanism under static loads; see `slowflow.off_centre.many`."""
-
-    random = ManyQuestions.random
 
     def _ask(self, question: str, /, *, workers: int = 1, **kwargs: Any) -> Batch:
         """The answer to a question by its name, from what its method takes."""

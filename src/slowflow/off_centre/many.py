@@ -111,7 +111,6 @@ class OffCentreDesigns(many.Designs):
 
     rest = ManyQuestions.rest
     at_rest = certify = Unanswered("of motions about the centre")
-    random = Unanswered("of batches that `many` makes")
 
     def __getattr__(self, name: str) -> Any:
         if name in CENTRED:

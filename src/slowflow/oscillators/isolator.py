@@ -246,10 +246,7 @@ class Isolator(Oscillator):
         laws = Laws.of(rubs, **numbers)
         with scales.in_these_terms():
             isolator = cls(force=force, excitation=scales.of_oscillator, rubs=laws.rubs, mu_s=mu_s, **numbers)
-        sheet = {"k_v": known["k_v"], "L": scales.L} | {name: float(known[name]) for name in ("k_h", "n", "preload")}
-        others = {"m": max(scales.m, known["m"]) / mounts, "zeta": isolator.zeta}
-        others |= {"friction": mu * scales.sizes["force"] / mounts}
-        range_checks.warn(range_checks.of_mount(**sheet, **others, g=g), stacklevel=3)
+        range_checks.warn(range_checks.of_mount(known, isolator.zeta, mounts), stacklevel=3)
         arguments = {"m": m, "k_v": k_v, "k_h": k_h, "n": n, "L": L, "preload": preload, "friction": friction}
         arguments |= {"mounts": mounts} if mounts > 1 else {}
         arguments |= {"c": c} if c is not None else {"zeta": isolator.zeta}

@@ -91,12 +91,19 @@ class Physical(TakesAmplitude):
         ------
         ValueError
             For arguments that are not real arrays, for shapes that do not broadcast, and with static friction.
+
+        Warns
+        -----
+        Implausible
+            For an allowed number that seems to be in another unit, as `Isolator.physical`.
         """
         from slowflow.oscillators.physical_designs import PhysicalDesigns
 
         sheet = self._changed(changes)
         validate.known_arguments(self._kind.physical, sheet, tuple(inspect.signature(self._kind.physical).parameters))
-        return PhysicalDesigns(self._kind, sheet, hasattr(self.oscillator, "first"))
+        mounts = PhysicalDesigns(self._kind, sheet, hasattr(self.oscillator, "first"))
+        range_checks.warn(mounts.range_checks(), stacklevel=2)
+        return mounts
 
     @property
     def _kind(self) -> Any:
@@ -627,6 +634,6 @@ class Physical(TakesAmplitude):
             found = number / size
         if not np.isfinite(found).all():
             raise OutOfRange(f"{name} = {value!r} is too large: over {size:.6g} it leaves the range of doubles")
-        if name in REMARKS and np.size(found):
-            range_checks.warn(REMARKS[name](float(np.max(found)) * size, self.scales.sizes["frequency"]), stacklevel=5)
+        if name in REMARKS:
+            range_checks.warn(REMARKS[name](number, self.scales.sizes["frequency"]), stacklevel=5)
         return found

@@ -8,14 +8,15 @@ from __future__ import annotations
 import dataclasses
 import functools
 import inspect
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from operator import attrgetter
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import numpy.typing as npt
 
-from slowflow.answers.answer import frozen
+from slowflow.answers.answer import frozen, same
 from slowflow.answers.gradient import Gradient
 from slowflow.answers.physical_answers import Many
 from slowflow.answers.quantities import BASE, SHEET, SI, ManyScales, Quantities, Scales, si
@@ -223,18 +224,11 @@ class PhysicalDesigns(TakesAmplitude, Unchanging):
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, PhysicalDesigns):
             return NotImplemented
-        same = (self._kind, self.settings, self.second, *self.values) == (
-            other._kind,
-            other.settings,
-            other.second,
-            *other.values,
-        )
-        return same and all(
-            np.array_equal(value, other.values[name], equal_nan=True) for name, value in self.values.items()
-        )
+        settings = attrgetter("_kind", "settings", "second")
+        return settings(self) == settings(other) and same(self.values, other.values)
 
     def __hash__(self) -> int:
-        return hash((self._kind, self.second, *self.settings.items(), *self.values))
+        return hash((self._kind, self.second, *self.settings.items(), *sorted(self.values)))
 
     @functools.cached_property
     def dimensionless(self) -> tuple[ManyScales, dict[str, Any]]:
@@ -258,6 +252,12 @@ class PhysicalDesigns(TakesAmplitude, Unchanging):
         settings = {name: word for name, word in self.settings.items() if name in ("rubs", "force")}
         found = self._kind.many(**numbers, **settings, excitation=scales.of_oscillator)
         return found.second_approximation if self.second else found
+
+    def range_checks(self) -> Iterator[str]:
+        """Remarks on data that look as if they were in another unit, of isolators."""
+        if "k_h" in self.values:
+            zeta = self.dimensionless[1]["zeta"]
+            yield from range_checks.of_mount(self.values, zeta, self.settings.get("mounts", 1))
 
     @property
     def shape(self) -> tuple[int, ...]:
@@ -309,10 +309,8 @@ class PhysicalDesigns(TakesAmplitude, Unchanging):
         validate.common_shape({"mounts": np.asarray(sizes[kind]), shown: array})
         with np.errstate(all="ignore"):
             found = array / sizes[kind]
-        if name in REMARKS and np.isfinite(found).any():
-            at = np.unravel_index(np.nanargmax(found), found.shape)
-            highest, f_n = (float(np.broadcast_to(one, found.shape)[at]) for one in (array, sizes["frequency"]))
-            range_checks.warn(REMARKS[name](highest, f_n), stacklevel=5)
+        if name in REMARKS:
+            range_checks.warn(REMARKS[name](array, sizes["frequency"]), stacklevel=5)
         return found
 
     def _in_si(self, name: str, value: Any) -> npt.NDArray[Any]:

@@ -1,13 +1,19 @@
-"""What an engineer would look at twice. Takes numbers of a mount in SI units; returns remarks in words.
+"""What an engineer would look at twice. Takes numbers of a mount or of many in SI units; returns remarks in words.
 
 Nothing is refused for it: these are numbers that are allowed, but that a slip of units makes, as 80 for a rod of 80 mm.
+Of many mounts a remark quotes the one that is farthest beyond the limit.
 """
 
 from __future__ import annotations
 
 import math
 import warnings
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
+from typing import Any
+
+import numpy as np
+
+from slowflow.answers.quantities import g
 
 #: a push-rod as long as a house is none, nor one thinner than a sheet of metal
 LONGEST, SHORTEST = 5.0, 1e-3
@@ -23,45 +29,58 @@ class Implausible(UserWarning):
     """A number that is allowed, and looks as if it were in another unit."""
 
 
-def of_mount(
-    *, m: float, k_v: float, k_h: float, n: float, L: float, preload: float, friction: float, zeta: float, g: float
-) -> Iterator[str]:
-    """Remarks on a data sheet; m is the larger of the masses that it names, g standard gravity."""
-    if L > LONGEST:
-        yield f"L = {L:g} m is a push-rod as long as a house: is it in mm? Lengths are in m"
-    elif L < SHORTEST:
-        yield f"L = {L:g} m is a push-rod of less than 1 mm: lengths are in m"
-    if (preset := m * g / k_v) > MOST_PRESET:
-        yield (
-            f"k_v = {k_v:g} N/m is compressed by {preset:.4g} m under {m:g} kg: is it in N/mm, or the mass in g? "
-            "Stiffness is in N/m, mass in kg"
-        )
-    elif (k_v / m) ** 0.5 > math.tau * HIGHEST:
-        yield f"k_v = {k_v:g} N/m under {m:g} kg gives a natural frequency above {HIGHEST:g} Hz: mass is in kg"
-    ratio = n * k_h / k_v
-    if preload > 0 and ratio < WEAKEST:
-        yield f"k_h = {k_h:g} N/m is negligible compared with k_v = {k_v:g} N/m: is it in N/mm? Stiffness is in N/m"
-    elif preload > 0 and ratio > STRONGEST:
-        yield f"k_h = {k_h:g} N/m dominates k_v = {k_v:g} N/m: is it in N/mm? Stiffness is in N/m"
-    if friction > m * g:
-        yield f"friction = {friction:g} N is more than the weight, {m * g:.4g} N: is it in mN?"
-    if zeta > 1:
-        yield f"zeta = {zeta:.4g} is more than critical damping: is it in per cent? 2 % are 0.02"
+def of_mount(sheet: Mapping[str, Any], zeta: Any, mounts: int) -> Iterator[str]:
+    """Remarks on the data sheet of an isolator, of which `mounts` equal ones share the masses."""
+    names = ("k_v", "k_h", "n", "L", "preload", "friction")
+    k_v, k_h, n, L, preload, friction = (np.asarray(sheet[name], dtype=float) for name in names)
+    m = np.maximum(sheet["m"], sheet.get("load", 0.0)) / mounts
+    with np.errstate(all="ignore"):
+        preset, ratio = m * g / k_v, np.where(preload > 0, n * k_h / k_v, 1.0)
+        beyond = {
+            "L = {L:g} m is a push-rod as long as a house: is it in mm? Lengths are in m": L / LONGEST,
+            "L = {L:g} m is a push-rod of less than 1 mm: lengths are in m": SHORTEST / L,
+            "k_v = {k_v:g} N/m is compressed by {preset:.4g} m under {m:g} kg: is it in N/mm, or the mass in g? "
+            "Stiffness is in N/m, mass in kg": preset / MOST_PRESET,
+            f"k_v = {{k_v:g}} N/m under {{m:g}} kg gives a natural frequency above {HIGHEST:g} Hz: mass is in kg": (
+                np.sqrt(k_v / m) / (math.tau * HIGHEST)
+            ),
+            "k_h = {k_h:g} N/m is negligible compared with k_v = {k_v:g} N/m: is it in N/mm? Stiffness is in N/m": (
+                WEAKEST / ratio
+            ),
+            "k_h = {k_h:g} N/m dominates k_v = {k_v:g} N/m: is it in N/mm? Stiffness is in N/m": ratio / STRONGEST,
+            "friction = {friction:g} N is more than the weight, {weight:.4g} N: is it in mN?": friction / (m * g),
+            "zeta = {zeta:.4g} is more than critical damping: is it in per cent? 2 % are 0.02": np.asarray(zeta),
+        }
+    yield from _remarks(beyond, m=m, k_v=k_v, k_h=k_h, L=L, friction=friction, zeta=zeta, preset=preset, weight=m * g)
 
 
-def of_frequency(highest: float, f_n: float) -> Iterator[str]:
-    """Of the highest frequency asked for, in Hz, and that of the mass on the vertical spring."""
-    if highest > FASTEST * f_n:
-        yield (
-            f"f = {highest:g} Hz is {highest / f_n:.3g} times f_n = {f_n:.4g} Hz, where springs resonate themselves: "
-            "is it in rpm? Frequencies are in Hz"
-        )
+def of_frequency(f: Any, f_n: Any) -> Iterator[str]:
+    """Of frequencies in Hz, and that of the mass on the vertical spring."""
+    with np.errstate(all="ignore"):
+        ratio = np.asarray(f) / f_n
+    sentence = (
+        "f = {f:g} Hz is {ratio:.3g} times f_n = {f_n:.4g} Hz, where springs resonate themselves: is it in rpm? "
+        "Frequencies are in Hz"
+    )
+    yield from _remarks({sentence: ratio / FASTEST}, f=f, ratio=ratio, f_n=f_n)
 
 
-def of_duration(longest: float, f_n: float) -> Iterator[str]:
-    """Of the longest half sine, in s."""
-    if longest * f_n > SLOWEST:
-        yield f"duration = {longest:g} s lasts for {longest * f_n:.3g} natural periods: is it in ms? Times are in s"
+def of_duration(duration: Any, f_n: Any) -> Iterator[str]:
+    """Of the durations of half sines, in s."""
+    with np.errstate(all="ignore"):
+        periods = np.asarray(duration) * f_n
+    sentence = "duration = {duration:g} s lasts for {periods:.3g} natural periods: is it in ms? Times are in s"
+    yield from _remarks({sentence: periods / SLOWEST}, duration=duration, periods=periods)
+
+
+def _remarks(beyond: Mapping[str, Any], **numbers: Any) -> Iterator[str]:
+    """The sentences whose numbers over their limit exceed 1, with the numbers of the mount where that is largest."""
+    for sentence, over in beyond.items():
+        measure, *values = np.broadcast_arrays(over, *numbers.values())
+        measure = np.where(np.isfinite(measure), measure, 0.0)  # the others are no mounts, which have a status
+        if (measure > 1).any():
+            at = np.unravel_index(np.argmax(measure), measure.shape)
+            yield sentence.format(**{name: value[at] for name, value in zip(numbers, values, strict=True)})
 
 
 def warn(remarks: Iterable[str], stacklevel: int) -> None:
