@@ -56,6 +56,7 @@ MODULES = (
     "slowflow.answers.transmissibility",
     "slowflow.core.mechanism",
     "slowflow.derive",
+    "slowflow.languages",
     "slowflow.example",
 )
 

@@ -37,7 +37,8 @@ NEEDED = {
     "numba": ((), ("numba",)),
     "cffi": ((), ("cffi",)),
     "ctypes": ((), ()),
-    "GNU Octave": (("octave-cli", "mkoctfile"), ()),
+    "MATLAB and GNU Octave": (("octave-cli",), ()),
+    "Julia": (("julia",), ()),
     "JavaScript": (("node",), ("ziglang",)),
 }
 

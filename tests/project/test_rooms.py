@@ -15,7 +15,7 @@ SOURCE = ROOT / "src"
 FLOORS = (
     ("__main__",),
     ("app",),
-    ("sizing", "__init__", "example", "derive"),
+    ("sizing", "__init__", "example", "derive", "languages"),
     ("oscillators",),
     ("grid",),
     ("off_centre", "random_vibration"),
