@@ -30,7 +30,7 @@ DEVELOPED := .venv/developed
 DERIVED := build/derived
 # whose docstrings numpydoc validates: questions and their classes
 NUMPYDOC := $(addprefix src/slowflow/,oscillators/physical.py oscillators/oscillator.py answers/table.py answers/results.py answers/questions.py averaged/composed.py \
-            averaged/questions.py derive.py oscillators/isolator.py sizing/tolerances.py sizing/fitting.py sizing/loops.py \
+            averaged/questions.py derive.py languages.py oscillators/isolator.py sizing/tolerances.py sizing/fitting.py sizing/loops.py \
             sizing/requirements.py)
 NATIVE := $(wildcard src/slowflow/native/*.[ch] src/slowflow/native/*/*.[ch] generated/c/*.h generated/native/*.[ch])
 PYTEST := $(BIN)/python -m pytest -n auto --dist worksteal

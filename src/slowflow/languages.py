@@ -84,7 +84,19 @@ class Prototype:
 
 
 def headers() -> list[Path]:
-    """Find the installed C headers whose functions `exported.c` exports."""
+    """Find the installed C headers whose functions `exported.c` exports.
+
+    Returns
+    -------
+    list of pathlib.Path
+        In the order in which `exported.c` includes them.
+
+    Examples
+    --------
+    >>> from slowflow import languages
+    >>> languages.headers()[0].name
+    'slow_flow.h'
+    """
     folder = include()[1]
     names = re.findall(r'#include "(\w+\.h)"', (folder / "exported.c").read_text(encoding="utf-8"))
     return [folder / name for name in names]
