@@ -18,7 +18,8 @@ from typing import Any
 import numpy as np
 
 from slowflow import Isolator, example
-from slowflow.answers.certificate import DOUBLES, Proved
+from slowflow.answers.certificate import Proved
+from slowflow.answers.table import DOUBLES
 from slowflow.averaged import proofs
 
 SEED = 29

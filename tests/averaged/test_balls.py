@@ -11,8 +11,8 @@ import numpy as np
 import pytest
 
 from slowflow import Duffing, Isolator, example
-from slowflow.answers.certificate import DOUBLES
 from slowflow.answers.results import Remark
+from slowflow.answers.table import DOUBLES
 from slowflow.averaged import messages, proofs, solvers
 from slowflow.averaged.balls import questions as answers
 from slowflow.averaged.balls.search import AT_0, BallModel, Enclosure, averages_of

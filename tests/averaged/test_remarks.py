@@ -11,8 +11,8 @@ import sympy as sp
 from scipy.integrate import solve_ivp
 
 from slowflow import Duffing, Isolator, Oscillator, derive
-from slowflow.answers.certificate import DOUBLES
 from slowflow.answers.results import Remark
+from slowflow.answers.table import DOUBLES
 from slowflow.averaged import diagnostics, proofs
 from slowflow.exact import shooting
 from slowflow.example import TABLE_1

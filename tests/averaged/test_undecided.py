@@ -11,8 +11,8 @@ import numpy as np
 import pytest
 
 from slowflow import Duffing, Isolator
-from slowflow.answers.certificate import DOUBLES
 from slowflow.answers.results import Remark
+from slowflow.answers.table import DOUBLES
 from slowflow.averaged import proofs, solvers
 from slowflow.averaged.many import PROVED_FOLDS, PROVED_STATES, SADDLE_NODES
 from slowflow.oscillators.oscillator import Oscillator

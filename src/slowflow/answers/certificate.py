@@ -9,12 +9,10 @@ import numpy as np
 import numpy.typing as npt
 
 from slowflow.answers.answer import Answer, joined
+from slowflow.answers.table import DOUBLES
 from slowflow.core.mechanism import Flags
 from slowflow.core.model import Floats
 from slowflow.support.text import text
-
-#: bits of a double
-DOUBLES = 53
 
 
 @dataclass(frozen=True, eq=False)

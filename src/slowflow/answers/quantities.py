@@ -15,12 +15,11 @@ import operator
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from types import MappingProxyType, SimpleNamespace
-from typing import Any, Self
+from typing import TYPE_CHECKING, Any, Self
 
 import numpy as np
 
 from slowflow.answers.answer import PLAIN, Answer, Table, drawn, plain, shown
-from slowflow.answers.gradient import Gradient
 from slowflow.answers.table import QUANTITIES
 from slowflow.core import validate
 from slowflow.core.mechanism import Floats
@@ -30,6 +29,9 @@ from slowflow.support.text import in_units
 from slowflow_kernels.domains import DAMPING, DISSIPATION
 from slowflow_kernels.rod_spring import MECHANISM as ROD_SPRING
 from slowflow_kernels.scaling import AMPLITUDES, SCALES
+
+if TYPE_CHECKING:
+    from slowflow.answers.gradient import Gradient
 
 #: standard gravity, m/s^2
 g = 9.80665
@@ -518,6 +520,8 @@ class Scales:
         A number of a mount is its dimensionless number times powers of k_v, L and m (4), and so is each number that it
         depends on: derivatives with respect to k_v, L and m include all of these.
         """
+        from slowflow.answers.gradient import Gradient  # here, not above: the first answer does without
+
         springs = "k_1" in self.sheet
         if not springs and found.by[: len(ROD_SPRING.design)] != ROD_SPRING.design_names:
             raise Refused(WITHOUT_PRELOAD)

@@ -15,18 +15,19 @@ from typing import TYPE_CHECKING, Any, ClassVar
 import numpy as np
 import numpy.typing as npt
 
-from slowflow.answers import sensitivities
 from slowflow.answers.answer import LOADED, UNLOADED, Drawn, Single, Table, entry_of, frozen
-from slowflow.answers.certificate import ProvedFolds
-from slowflow.answers.gradient import Gradient
 from slowflow.answers.transmissibility import in_motion
-from slowflow.answers.validity import Validity, of_states, off_centre
 from slowflow.core import validate
 from slowflow.core.mechanism import Flags, Ints
 from slowflow.core.model import Floats, Model
 from slowflow.support.errors import Refused
 from slowflow.support.text import text
 from slowflow_kernels.conventions import Status
+
+if TYPE_CHECKING:
+    from slowflow.answers.certificate import ProvedFolds
+    from slowflow.answers.gradient import Gradient
+    from slowflow.answers.validity import Measured, MeasuredFolds, MeasuredPoint, Validity
 
 ONLY_OFFSET = "only motions with a mean B have {u_max}: without a load A is the largest |{u}|"
 
@@ -71,80 +72,12 @@ def _nothing() -> Remark:
     return NOTHING
 
 
-@dataclass(frozen=True, eq=False)
-class Measured(Table, entry="MeasuredState"):
-    """Motions of the equation of motion (3), found from averaged states: arrays with one entry for each state.
-
-    Omega, A -- frequency, and largest |u| of the motion
-    error    -- relative error of the averaged amplitude
-    stable, stops -- whether the motion is stable; its stops in one period
-    found    -- whether there is such a motion; otherwise A and error are nan
-    reason   -- why there is none
-    message  -- how many states have none, and why; empty if all have one
-    """
-
-    Omega: Floats
-    A: Floats
-    error: Floats
-    stable: Flags
-    stops: Ints
-    found: Flags
-    reason: npt.NDArray[np.str_]
-    message: str
-
-
-@dataclass(frozen=True, eq=False)
-class MeasuredFolds(Table, entry="MeasuredFold"):
-    """Folds of the equation of motion (3), found from averaged ones: arrays with one entry for each fold.
-
-    Omega, A   -- frequency and amplitude of the exact fold
-    error      -- relative error of the averaged frequency
-    error_of_A -- relative error of the averaged amplitude
-    found      -- whether there is such a fold; otherwise the other columns are nan
-    reason     -- why there is none
-    message    -- how many have none, and why; empty if all have one
-    """
-
-    Omega: Floats
-    A: Floats
-    error: Floats
-    error_of_A: Floats
-    found: Flags
-    reason: npt.NDArray[np.str_]
-    message: str
-
-
-@dataclass(frozen=True, eq=False)
-class MeasuredPoint(Single):
-    """The peak, onset, detachment or isolation of the equation of motion (3), found from the averaged one; or None.
-
-    F_0, Omega, A -- forcing, frequency, and largest |u| of the motion
-    error    -- relative error of the averaged result: A of a peak, F_SN of an onset, F_cr of a detachment, Omega of
-            isolation
-    error_of_Omega -- relative error of the averaged frequency
-    message  -- why there is none
-    """
-
-    F_0: float | None
-    Omega: float | None
-    A: float | None
-    error: float | None
-    error_of_Omega: float | None
-    message: str
-
-
 #: quantities that may be drawn of a response curve
 DRAWN = ("A", "phi", "transmissibility", "transmissibility_dB")
 #: of an answer of averaging alone, without an equation of motion
 NOT_ASKED = "this answer does not come from an oscillator: there is no equation of motion to compare it with"
 
 
-#: of an answer that is not averaged
-NOT_AVERAGED = "only averaged answers of an oscillator with design parameters have gradients"
-
-
-#: of an answer under a load: its gradient as a function of the answer
-GradientOf = Callable[[Any], Gradient]
 NOT_MEASURED = (
     "for offset motions only states and folds can be compared with the equation of motion, as amplitudes(...).measure()"
 )
@@ -156,7 +89,8 @@ class Moving:
 
     #: the oscillator, whose `measured` compares an answer with the equation of motion
     _equation: Any = field(default=None, kw_only=True, repr=False)
-    _gradient_of: GradientOf | None = field(default=None, kw_only=True, repr=False)
+    #: of an answer under a load: its gradient as a function of the answer
+    _gradient_of: Callable[[Any], Gradient] | None = field(default=None, kw_only=True, repr=False)
 
     def _against_motion(self, force: str | None, of: str = "") -> Any:
         """Compare the answer with the equation of motion."""
@@ -164,9 +98,9 @@ class Moving:
             raise Refused(NOT_ASKED)
         return self._equation.measured(self, force, of)
 
-    def _gradient_from(self: Any, of: Callable[..., Gradient], *numbers: Any) -> Gradient:
-        """The gradient, without a load by a function of the oscillator's design and of the answer's numbers."""
-        return self._gradient_of(self) if self._gradient_of else of(of_model(self._model), *numbers)
+    def _gradient_from(self: Any, question: str, *numbers: Any) -> Gradient:
+        """The gradient: under a load by the function that came with the answer."""
+        return self._gradient_of(self) if self._gradient_of else _gradient(self._model, question, *numbers)
 
 
 @dataclass(frozen=True, eq=False)
@@ -198,7 +132,9 @@ class Point(OfPoint, Single):
         """Under a load: a message that the error of averaging has not been measured there."""
         if self.load is None or self._model is None:
             raise validate.NoAttribute("only states and folds, and answers under a load, have a validity")
-        return off_centre(self._model.mu, *(getattr(self, name) for name in self.at))
+        from slowflow.answers import validity
+
+        return validity.off_centre(self._model.mu, *(getattr(self, name) for name in self.at))
 
     def measure(self, force: str | None = None) -> MeasuredPoint:
         """Compare the point with that of the equation of motion (3), in tenths of a second if compiled.
@@ -211,14 +147,11 @@ class Point(OfPoint, Single):
         return self._measured(force)
 
 
-def of_model(model: Model | None) -> sensitivities.Design:
-    """The design of an answer's oscillator. Raises ValueError where it is not known."""
-    if model is None or not model.has_design:
-        raise Refused(NOT_AVERAGED)
-    laws, numbers = model.laws, (*model.design, model.mu, model.zeta)
-    if not laws.any:
-        return sensitivities.Design(model.mechanism, numbers, model.excitation)
-    return sensitivities.Design(model.mechanism, (*numbers, *laws.numbers.values()), model.excitation, laws.rubs)
+def _gradient(model: Model | None, question: str, *numbers: Any) -> Gradient:
+    """The gradient of an answer about the centre, by the numbers that its question gave."""
+    from slowflow.answers import sensitivities  # here, not above: the first answer does without
+
+    return sensitivities.of_answer(model, question, *numbers)
 
 
 class WithMean:
@@ -346,9 +279,11 @@ class SteadyStates(
     @cached_property
     def validity(self) -> Validity:
         """Measured errors of averaging near each state, against the equation of motion; looked up on first use."""
+        from slowflow.answers import validity
+
         if self.load is not None:
-            return off_centre(self._model.mu, self.F_0, self.Omega, self.A)
-        return of_states(self._model, self.Omega, self.A)
+            return validity.off_centre(self._model.mu, self.F_0, self.Omega, self.A)
+        return validity.of_states(self._model, self.Omega, self.A)
 
     def gradient(self) -> Gradient:
         """Differentiate A, phi and transmissibility of each state with respect to the parameters, F_0 and Omega.
@@ -358,9 +293,7 @@ class SteadyStates(
         `.status` and `.message` say so. Under a load also B, and with respect to the load; raises NotAvailable if the
         derivatives of the force with respect to the design are not known.
         """
-        return self._gradient_from(
-            sensitivities.of_states, self.Omega, self.A, self.F_0, self.phi, self.transmissibility
-        )
+        return self._gradient_from("amplitudes", self.Omega, self.A, self.F_0, self.phi, self.transmissibility)
 
     def measure(self, force: str | None = None) -> Measured:
         """Compare each state with a motion of the equation of motion (3), in about 0.2 ms each.
@@ -435,9 +368,11 @@ class SaddleNodes(Moving, WithMean, Drawn, Table, entry="SaddleNode", with_mean=
     @cached_property
     def validity(self) -> Validity:
         """Measured errors of averaging near each fold, against the equation of motion; looked up on first use."""
+        from slowflow.answers import validity
+
         if self.load is not None:
-            return off_centre(self._model.mu, self.F_0, self.Omega, self.A)
-        return of_states(self._model, self.Omega, self.A, corner=bool(self.corner.any()))
+            return validity.off_centre(self._model.mu, self.F_0, self.Omega, self.A)
+        return validity.of_states(self._model, self.Omega, self.A, corner=bool(self.corner.any()))
 
     def gradient(self) -> Gradient:
         """Differentiate Omega and A of each fold with respect to the parameters and F_0; a corner stays on its
@@ -446,7 +381,7 @@ class SaddleNodes(Moving, WithMean, Drawn, Table, entry="SaddleNode", with_mean=
         The derivatives are exact. A fold that meets another, at a cusp or an isola point, or that reaches or leaves a
         breakpoint, has no gradient; `.status` and `.message` say so. Under a load as `SteadyStates.gradient`.
         """
-        return self._gradient_from(sensitivities.of_points, "saddle_nodes", self.Omega, self.A, self.F_0, self.corner)
+        return self._gradient_from("saddle_nodes", self.Omega, self.A, self.F_0, self.corner)
 
     def measure(self, force: str | None = None) -> MeasuredFolds:
         """Compare each fold with one of the equation of motion (3), in a few ms each.
@@ -492,7 +427,7 @@ class SaddleNodeOnset(Point):
         and with respect to the load; a corner at a jump of the force then has no gradient.
         """
         at = self.Omega, self.A, self.F_SN, self.kind
-        return self._gradient_from(sensitivities.of_points, "saddle_node_onset", *at)
+        return self._gradient_from("saddle_node_onset", *at)
 
 
 @dataclass(frozen=True, eq=False)
@@ -529,7 +464,7 @@ class Cusps(Table, entry="Cusp"):
 
     def gradient(self) -> Gradient:
         """Differentiate F_0, Omega and A of each cusp with respect to the parameters; exact derivatives."""
-        return sensitivities.of_points(of_model(self._model), "cusps", self.Omega, self.A, self.F_0)
+        return _gradient(self._model, "cusps", self.Omega, self.A, self.F_0)
 
 
 @dataclass(frozen=True, eq=False)
@@ -551,7 +486,7 @@ class IsolaPoints(Table, entry="IsolaPoint"):
 
     def gradient(self) -> Gradient:
         """Differentiate F_0, Omega and A of each isola point with respect to the parameters; exact derivatives."""
-        return sensitivities.of_points(of_model(self._model), "isola_points", self.Omega, self.A, self.F_0)
+        return _gradient(self._model, "isola_points", self.Omega, self.A, self.F_0)
 
 
 @dataclass(frozen=True, eq=False)
@@ -591,7 +526,7 @@ class Peak(Point):
         one. Under a load also B, and u_max if it belongs to the same motion; raises NotAvailable if the peak lies at a
         turning point of the mean.
         """
-        return self._gradient_from(sensitivities.of_points, "peak", self.Omega, self.A, self.F_0)
+        return self._gradient_from("peak", self.Omega, self.A, self.F_0)
 
 
 @dataclass(frozen=True, eq=False)
@@ -615,4 +550,4 @@ class Detachment(Point):
 
     def gradient(self) -> Gradient:
         """Differentiate F_cr, Omega_cr and u_cr with respect to the parameters; under a load A, B instead of u_cr."""
-        return self._gradient_from(sensitivities.of_points, "detachment", self.Omega_cr, self.u_cr, self.F_cr)
+        return self._gradient_from("detachment", self.Omega_cr, self.u_cr, self.F_cr)

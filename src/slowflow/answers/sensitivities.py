@@ -17,12 +17,14 @@ import numpy.typing as npt
 from slowflow.answers.gradient import Gradient
 from slowflow.core import backend, validate
 from slowflow.core.mechanism import Floats, Mechanism
-from slowflow.core.model import THROUGHOUT
+from slowflow.core.model import THROUGHOUT, Model
+from slowflow.support.errors import Refused
 from slowflow_kernels.conventions import MEETING, GradientStatus, OnsetKind, PointType
 from slowflow_kernels.domains import DAMPING, DISSIPATION
 
 Codes = npt.NDArray[np.int8]
 
+NOT_AVERAGED = "only averaged answers of an oscillator with design parameters have gradients"
 OF_FUNCTIONS = (
     "gradient() is not available for {}: its force is defined by Python functions, whose derivatives with respect to "
     "the parameters are unknown; SymPy expressions have gradients"
@@ -42,6 +44,16 @@ class Design(NamedTuple):
     numbers: tuple[Any, ...]
     excitation: str
     rubs: str | None = None
+
+    @classmethod
+    def of(cls, model: Model | None) -> Design:
+        """The design of an answer's oscillator. Raises ValueError where it is not known."""
+        if model is None or not model.has_design:
+            raise Refused(NOT_AVERAGED)
+        laws, numbers = model.laws, (*model.design, model.mu, model.zeta)
+        if not laws.any:
+            return cls(model.mechanism, numbers, model.excitation)
+        return cls(model.mechanism, (*numbers, *laws.numbers.values()), model.excitation, laws.rubs)
 
     def with_places(self) -> Design:
         """The same with one more axis behind those of the designs."""
@@ -191,6 +203,13 @@ def of_isolation(design: Design, Omega: Any, A: Any, F_0: Any, at_fold: Any, rat
     slopes = np.where(on_fold[..., np.newaxis, np.newaxis], folds.slopes, kept)
     status = np.where(on_fold, folds.status, status).astype(np.int8)
     return Gradient(("Omega", "A"), folds.by, slopes, status, (Omega, A), (*design.numbers, F_0))
+
+
+def of_answer(model: Model | None, question: str, *numbers: Any) -> Gradient:
+    """The gradient of a single answer to a question."""
+    of: Any = {"amplitudes": of_states, "isolation": of_isolation}.get(question)
+    design = Design.of(model)
+    return of(design, *numbers) if of else of_points(design, question, *numbers)
 
 
 def _known(value: Any) -> Any:

@@ -31,6 +31,10 @@ AVERAGING, SECOND, OFFSET = "averaging", "second approximation", "offset motion"
 MORE_POINTS = {AVERAGING: 64, SECOND: 256, OFFSET: 64}
 
 
+#: bits of a double
+DOUBLES = 53
+
+
 class Column(NamedTuple):
     """A column of an answer.
 

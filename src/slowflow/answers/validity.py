@@ -11,9 +11,11 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+import numpy.typing as npt
 
 from slowflow.answers import validity_table as measured
-from slowflow.answers.answer import Answer, joined
+from slowflow.answers.answer import Answer, Single, Table, joined
+from slowflow.core.mechanism import Flags, Ints
 from slowflow.core.model import THROUGHOUT, Floats, Model
 from slowflow.support.text import Sentence, text
 from slowflow_kernels import motion
@@ -89,6 +91,68 @@ class Validity(Answer):
         return self.message or "no known limitation"
 
 
+@dataclass(frozen=True, eq=False)
+class Measured(Table, entry="MeasuredState"):
+    """Motions of the equation of motion (3), found from averaged states: arrays with one entry for each state.
+
+    Omega, A -- frequency, and largest |u| of the motion
+    error    -- relative error of the averaged amplitude
+    stable, stops -- whether the motion is stable; its stops in one period
+    found    -- whether there is such a motion; otherwise A and error are nan
+    reason   -- why there is none
+    message  -- how many states have none, and why; empty if all have one
+    """
+
+    Omega: Floats
+    A: Floats
+    error: Floats
+    stable: Flags
+    stops: Ints
+    found: Flags
+    reason: npt.NDArray[np.str_]
+    message: str
+
+
+@dataclass(frozen=True, eq=False)
+class MeasuredFolds(Table, entry="MeasuredFold"):
+    """Folds of the equation of motion (3), found from averaged ones: arrays with one entry for each fold.
+
+    Omega, A   -- frequency and amplitude of the exact fold
+    error      -- relative error of the averaged frequency
+    error_of_A -- relative error of the averaged amplitude
+    found      -- whether there is such a fold; otherwise the other columns are nan
+    reason     -- why there is none
+    message    -- how many have none, and why; empty if all have one
+    """
+
+    Omega: Floats
+    A: Floats
+    error: Floats
+    error_of_A: Floats
+    found: Flags
+    reason: npt.NDArray[np.str_]
+    message: str
+
+
+@dataclass(frozen=True, eq=False)
+class MeasuredPoint(Single):
+    """The peak, onset, detachment or isolation of the equation of motion (3), found from the averaged one; or None.
+
+    F_0, Omega, A -- forcing, frequency, and largest |u| of the motion
+    error    -- relative error of the averaged result: A of a peak, F_SN of an onset, F_cr of a detachment, Omega of
+            isolation
+    error_of_Omega -- relative error of the averaged frequency
+    message  -- why there is none
+    """
+
+    F_0: float | None
+    Omega: float | None
+    A: float | None
+    error: float | None
+    error_of_Omega: float | None
+    message: str
+
+
 def of_states(model: Model, Omega: Floats, A: Floats, *, corner: bool = False) -> Validity:
     """The validity of averaged steady states of the model; `corner` marks folds on a breakpoint."""
     h = model.averaged(A)[0]
@@ -137,15 +201,8 @@ def off_centre(mu: float, F_0: Any, Omega: Any, A: Any) -> Validity:
     return Validity(ratio, rest, unknown, unknown, unknown, NOT_MEASURED_OFF_CENTRE)
 
 
-def is_near_sticking(mu: Any, F_0: Any) -> Any:
-    """Whether mu/F_0 is so near pi/4 that averaging fails; numbers, or arrays that broadcast."""
-    return mu > measured.NEAR * F_0
-
-
 def near_sticking(model: Model, F_0: float) -> str:
-    """The message for a forcing that barely exceeds friction; empty for others."""
-    if not is_near_sticking(model.mu, F_0):
-        return ""
+    """The message for a forcing that barely exceeds friction."""
     ratio = model.mu / F_0
     off = OFF_BY.format(measured.BY_RATIO[int(_bin(measured.RATIOS, np.array(ratio)))])
     if model.laws.rubs != THROUGHOUT:

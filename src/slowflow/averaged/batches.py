@@ -16,8 +16,8 @@ import numpy.typing as npt
 
 from slowflow.answers.answer import Answer, frozen, optional
 from slowflow.answers.gradient import NO_GRADIENT, Gradient
-from slowflow.answers.results import NOT_AVERAGED, Remark
-from slowflow.answers.sensitivities import Design, of_isolation, of_points, of_states
+from slowflow.answers.results import Remark
+from slowflow.answers.sensitivities import NOT_AVERAGED, Design, of_isolation, of_points, of_states
 from slowflow.answers.table import AVERAGING, QUESTIONS, Columns, Question
 from slowflow.answers.transmissibility import in_motion
 from slowflow.averaged import diagnostics

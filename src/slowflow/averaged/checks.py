@@ -14,10 +14,10 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from slowflow.answers import sensitivities
 from slowflow.answers.answer import LOADED, Labels, Single, Table, joined, sentences
 from slowflow.answers.gradient import NO_GRADIENT, Gradient
-from slowflow.answers.results import MeasuredPoint, OfPoint, Remark
+from slowflow.answers.results import OfPoint, Remark
+from slowflow.answers.validity import MeasuredPoint
 from slowflow.averaged import diagnostics, messages, solvers
 from slowflow.averaged.isolating import (
     NEVER,
@@ -179,7 +179,7 @@ class Isolation(OfPoint, Single):
         `.message` say so.
         """
         at = self.Omega, self.A, self.F_0, self.at_fold, Level.of(self.level_dB).ratio
-        return self._gradient_from(sensitivities.of_isolation, *at)
+        return self._gradient_from("isolation", *at)
 
 
 @dataclass(frozen=True, eq=False)

@@ -13,8 +13,8 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from slowflow.answers import validity
 from slowflow.answers.results import NOTHING, Remark
+from slowflow.answers.validity_table import NEAR
 from slowflow.averaged import sustained
 from slowflow.core.mechanism import Flags, Floats, by_piece
 from slowflow.core.model import THROUGHOUT, Model, SlowFlow
@@ -56,6 +56,11 @@ MESSAGES: Mapping[Remark, str | Sentence] = {
         "at the corner at {u_cr}, where the truncated force (6) jumps: the untruncated one has none"
     ),
 }
+
+
+def is_near_sticking(mu: Any, F_0: Any) -> Any:
+    """Whether mu/F_0 is so near pi/4 that averaging fails; numbers, or arrays that broadcast."""
+    return mu > NEAR * F_0
 
 
 def keeps_centre(flow: SlowFlow, Omega: Any, A: Any) -> Flags:
@@ -133,7 +138,7 @@ def of_designs(flow: SlowFlow, force: Any, Omega: Any, A: Any, corner: Any) -> C
         jumps = zip(per_state.breakpoints, mechanism.jumps(*per_state.parameters), strict=True)
         on_jump = (there & (corner | _next_to_jump(per_state, jumps, A))).any(axis=-1)
     codes = {
-        Remark.NEAR_STICKING: validity.is_near_sticking(per_state.mu, force).any(axis=-1),
+        Remark.NEAR_STICKING: is_near_sticking(per_state.mu, force).any(axis=-1),
         Remark.BEYOND_REACH: (there & (np.asarray(mechanism.reach_at(*parameters))[..., np.newaxis] < A)).any(axis=-1),
         Remark.NEGATIVE_STIFFNESS: (at_rest > 0) | (pull > 0),
         Remark.LEAVES_CENTRE: (there & ~kept).any(axis=-1),
@@ -162,7 +167,7 @@ def of_one(model: Model, F_0: float, Omega: Any, A: Any, corner: Any = None, *, 
     if not math.isnan(F_0):
         if model.holds(F_0):
             codes.append(Remark.HELD_AT_REST)
-        near = validity.is_near_sticking(model.mu, model.force(F_0, Omega))
+        near = is_near_sticking(model.mu, model.force(F_0, Omega))
         if near.any() if isinstance(near, np.ndarray) else near:
             codes.append(Remark.NEAR_STICKING)
     if highest > model.reach:
@@ -241,6 +246,8 @@ def messages(remarks: Remark, model: Model, F_0: float) -> list[str]:
         return []
     near: list[str] = []
     if Remark.NEAR_STICKING in remarks:
+        from slowflow.answers import validity
+
         near = [NEAR_STICKING_BELOW] if model.inertial else [validity.near_sticking(model, F_0)]
     known = {"reach": model.reach, "reason": model.mechanism.reach_reason, "held": model.break_loose}
     known["mirrored"] = model.mechanism.mirrored

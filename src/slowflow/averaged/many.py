@@ -23,9 +23,8 @@ import numpy as np
 import numpy.typing as npt
 
 from slowflow.answers.answer import same
-from slowflow.answers.certificate import DOUBLES
 from slowflow.answers.results import Remark
-from slowflow.answers.table import AVERAGING, MORE_POINTS, QUESTIONS, Codes, ManyQuestions, Unanswered
+from slowflow.answers.table import AVERAGING, DOUBLES, MORE_POINTS, QUESTIONS, Codes, ManyQuestions, Unanswered
 from slowflow.averaged import diagnostics, messages, proofs, solvers
 from slowflow.averaged.batches import Batch
 from slowflow.averaged.chunks import blocks, map_chunks

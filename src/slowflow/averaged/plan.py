@@ -7,8 +7,8 @@ made on request, gives the reason, step by step.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
 from types import MappingProxyType
+from typing import NamedTuple
 
 from slowflow.answers.results import Remark, SaddleNodeOnset
 from slowflow.averaged import messages, proofs
@@ -19,8 +19,7 @@ from slowflow.support.text import Sentence, text
 from slowflow_kernels.conventions import CLOSE
 
 
-@dataclass(frozen=True)
-class Step:
+class Step(NamedTuple):
     """A step of a plan: whether it runs, with a description or the reason."""
 
     name: str
@@ -220,8 +219,7 @@ AT_ONE = (
 )
 
 
-@dataclass(frozen=True)
-class Plan:
+class Plan(NamedTuple):
     """The steps to an answer.
 
     model  -- model for the solvers; None if nothing has to be solved
@@ -291,7 +289,7 @@ def plan(question: str, F_0: float | None, whole: Model, onset: SaddleNodeOnset 
         steps = (UNDAMPED,)
     elif not proofs.is_plain(whole):
         kept = (step for step in steps if step.name != "number")
-        steps = tuple(replace(step, why=step.why.removesuffix(IN_BALLS)) for step in kept)
+        steps = tuple(step._replace(why=step.why.removesuffix(IN_BALLS)) for step in kept)
     equation = QUARTIC.format(whole.laws.description()) if whole.laws.any else whole.flow.SCENE
     return Plan(question, F_0, whole, (_force(question, F_0, whole), Step("slow flow", True, equation), *steps))
 

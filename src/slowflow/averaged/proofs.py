@@ -11,12 +11,11 @@ import dataclasses
 import functools
 import importlib.util
 from collections.abc import Callable
-from typing import Any, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 
 from slowflow.answers.answer import joined
-from slowflow.answers.certificate import DOUBLES, Proved, ProvedFolds, ProvedForcing, ProvedStates
 from slowflow.answers.results import (
     NOTHING,
     Cusps,
@@ -26,13 +25,17 @@ from slowflow.answers.results import (
     SaddleNodes,
     SteadyStates,
 )
+from slowflow.answers.table import DOUBLES
 from slowflow.averaged import messages, solvers
 from slowflow.core import backend
 from slowflow.core.mechanism import Flags
 from slowflow.core.model import Floats, Model
 from slowflow_kernels.conventions import SAME, Status
 
-Answer = TypeVar("Answer", bound=Proved)
+if TYPE_CHECKING:
+    from slowflow.answers.certificate import Proved, ProvedFolds, ProvedForcing, ProvedStates
+
+Answer = TypeVar("Answer", bound="Proved")
 
 _NONE = np.empty((0, 2))
 _NOTHING = np.empty(0)
@@ -287,6 +290,8 @@ def _middle(enclosed: Floats, known: Floats | None) -> Floats:
 def folds(model: Model, F_0: float) -> ProvedFolds:
     """Every fold at F_0, with what is proved of it."""
     head, (Omega, A, corner, sign), others = _prove_at(backend.SOLVER.certify_folds, model, F_0)
+    from slowflow.answers.certificate import ProvedFolds
+
     return ProvedFolds(*head, Omega, A, _KINDS[sign], corner, *others)
 
 
@@ -294,6 +299,8 @@ def folds(model: Model, F_0: float) -> ProvedFolds:
 def states(model: Model, Omega: float, F_0: float) -> ProvedStates:
     """Every state at (Omega, F_0), with what is proved of it."""
     head, (_, A, _, sign), others = _prove_at(backend.SOLVER.certify_states, model, F_0, Omega)
+    from slowflow.answers.certificate import ProvedStates
+
     return ProvedStates(*head, A, sign > 0, *others)
 
 
@@ -307,7 +314,7 @@ def onset(model: Model) -> ProvedForcing:
         texts = {Status.UNBOUNDED: messages.OF_NO_LOWEST, Status.NONE: messages.OF_NO_ONSET}
         return _no_forcing(texts.get(status, (messages.FAILED, messages.FAILED))[proved], proved=proved)
     doubt = "" if proved else messages.ONSET_IN_DOUBT
-    return ProvedForcing(proved, doubt, DOUBLES, F_SN, Omega, A, solvers.ONSET_KINDS[kind])
+    return _forcing(proved, doubt, F_SN, Omega, A, solvers.ONSET_KINDS[kind])
 
 
 @_or_in_balls
@@ -320,8 +327,14 @@ def detachment(model: Model) -> ProvedForcing:
     if answer[0] != Status.OK:
         return _no_forcing(messages.FAILED)
     _, F_cr, Omega_cr, u_cr = answer
-    return ProvedForcing(True, "", DOUBLES, F_cr, Omega_cr, u_cr, "")
+    return _forcing(True, "", F_cr, Omega_cr, u_cr)
 
 
 def _no_forcing(reason: str, *, proved: bool = False) -> ProvedForcing:
-    return ProvedForcing(proved, reason, DOUBLES, _NOTHING, _NOTHING, _NOTHING, "")
+    return _forcing(proved, reason, _NOTHING, _NOTHING, _NOTHING)
+
+
+def _forcing(proved: bool, message: str, F_0: Floats, Omega: Floats, A: Floats, kind: str = "") -> ProvedForcing:
+    from slowflow.answers.certificate import ProvedForcing
+
+    return ProvedForcing(proved, message, DOUBLES, F_0, Omega, A, kind)

@@ -14,7 +14,6 @@ from typing import TYPE_CHECKING, Any, TypeVar
 import numpy as np
 
 from slowflow.answers.answer import joined
-from slowflow.answers.certificate import Certificate, ProvedFolds
 from slowflow.answers.questions import Questions
 from slowflow.answers.results import (
     DRAWN,
@@ -38,6 +37,7 @@ from slowflow.support.errors import OutOfRange, Refused
 from slowflow_kernels import dissipation
 
 if TYPE_CHECKING:
+    from slowflow.answers.certificate import Certificate, ProvedFolds
     from slowflow.core.mechanism import Reals
 
 State = TypeVar("State", FrequencyResponse, SteadyStates)
@@ -172,6 +172,8 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
             (at,) = validate.frequencies("Omega", validate.number("Omega", Omega)).ravel()
             states = proofs.states(self.model, float(at), found.F_0)
         folds = self._proved_folds(found)
+        from slowflow.answers.certificate import Certificate
+
         return Certificate(found.F_0, folds, proofs.onset(self.model), proofs.detachment(self.model), states)
 
     def _proved_folds(self, found: SaddleNodes) -> ProvedFolds:

@@ -15,15 +15,8 @@ from typing import Any
 
 import numpy as np
 
-from slowflow.answers.results import (
-    Detachment,
-    Measured,
-    MeasuredFolds,
-    MeasuredPoint,
-    SaddleNodeOnset,
-    SaddleNodes,
-    SteadyStates,
-)
+from slowflow.answers.results import Detachment, SaddleNodeOnset, SaddleNodes, SteadyStates
+from slowflow.answers.validity import Measured, MeasuredFolds, MeasuredPoint
 from slowflow.core.mechanism import EquationOfMotion, Floats, Force
 from slowflow.exact import response, shooting
 from slowflow.exact.motion import limited

@@ -10,7 +10,6 @@ record, f and G for a spectral density, x and F for a loop.
 
 from __future__ import annotations
 
-import csv
 import re
 from pathlib import Path
 
@@ -56,6 +55,8 @@ def read_csv(path: str | Path) -> Columns:
     kept = [(number, line) for number, line in enumerate(lines, 1) if line.strip() and not line.startswith("#")]
     if len(kept) < 2:
         raise Refused(f"{path}: there must be a header, such as 'f [Hz], a [m/s^2]', and rows of numbers below it")
+    import csv  # here, not above: `import slowflow` does without it
+
     separator = max(SEPARATORS, key=kept[0][1].count)
     cut = [(number, next(csv.reader([line], delimiter=separator))) for number, line in kept]
     (first, heads), *rows = cut

@@ -13,7 +13,6 @@ from typing import TYPE_CHECKING, Any, Self
 import numpy as np
 
 from slowflow.answers.answer import joined, sentences
-from slowflow.answers.certificate import Certificate
 from slowflow.answers.results import Remark, SaddleNodeOnset
 from slowflow.answers.table import SHOCKS
 from slowflow.averaged.composed import ComposedQuestions
@@ -29,6 +28,7 @@ from slowflow_kernels.domains import EXCITATIONS
 
 if TYPE_CHECKING:
     from slowflow import exact
+    from slowflow.answers.certificate import Certificate
     from slowflow.averaged import checks
     from slowflow.averaged.plan import Plan
     from slowflow.core.mechanism import Reals

@@ -18,7 +18,6 @@ import numpy as np
 
 from slowflow.answers.answer import joined
 from slowflow.answers.quantities import DRAWN, SI, UNITS, Quantities, Scales, g, si
-from slowflow.averaged.plan import Plan
 from slowflow.core import validate
 from slowflow.core.mechanism import Floats
 from slowflow.oscillators import range_checks
@@ -32,6 +31,7 @@ if TYPE_CHECKING:
 
     from slowflow.answers import physical_answers as answers
     from slowflow.answers.physical_answers import Amplitude, Number, Numbers, Window
+    from slowflow.averaged.plan import Plan
     from slowflow.oscillators.physical_designs import PhysicalDesigns
 
 #: meaning of A for a motion with a mean displacement
@@ -102,7 +102,7 @@ class Physical(TakesAmplitude):
         sheet = self._changed(changes)
         validate.known_arguments(self._kind.physical, sheet, tuple(inspect.signature(self._kind.physical).parameters))
         mounts = PhysicalDesigns(self._kind, sheet, hasattr(self.oscillator, "first"))
-        range_checks.warn(mounts.range_checks(), stacklevel=2)
+        range_checks.warn(mounts._range_checks(), stacklevel=2)
         return mounts
 
     @property
@@ -568,10 +568,10 @@ class Physical(TakesAmplitude):
         """
         one, F_0 = self._excited(amplitude, at) if at or amplitude is not None else (self, None)
         found = one._ask("explain", question=question, F_0=F_0)
-        steps = tuple(dataclasses.replace(step, why=in_units(step.why, one.scales)) for step in found.steps)
+        steps = tuple(step._replace(why=in_units(step.why, one.scales)) for step in found.steps)
         letter, unit = one.scales.symbol("F_0"), SI[one.scales.amplitude]
         where = "" if F_0 is None else f" at {letter} = {si(letter, F_0, unit):g} {unit}"
-        return dataclasses.replace(found, steps=steps, where=where)
+        return found._replace(steps=steps, where=where)
 
     @property
     def second_approximation(self) -> Physical:

@@ -253,7 +253,7 @@ class PhysicalDesigns(TakesAmplitude, Unchanging):
         found = self._kind.many(**numbers, **settings, excitation=scales.of_oscillator)
         return found.second_approximation if self.second else found
 
-    def range_checks(self) -> Iterator[str]:
+    def _range_checks(self) -> Iterator[str]:
         """Remarks on data that look as if they were in another unit, of isolators."""
         if "k_h" in self.values:
             zeta = self.dimensionless[1]["zeta"]

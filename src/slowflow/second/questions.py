@@ -8,7 +8,7 @@ small. Points that do not converge are left out, and `message` reports them.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -127,7 +127,7 @@ class SecondApproximation(Questions[SecondStates, SecondResponse, SecondFolds]):
         first = self.first.explain(question, F_0)
         skipped = first.sticks or (question == "saddle_nodes" and not first.steps[-1].runs)
         after = Step("harmonics", not skipped, "no starting point" if skipped else SECOND[question])
-        return replace(first, steps=(*first.steps, after))
+        return first._replace(steps=(*first.steps, after))
 
     def _frequency_response(self, F_0: float, samples: int, window: tuple[float, float]) -> SecondResponse:
         # as the first approximation's points move to it, with its peak among them

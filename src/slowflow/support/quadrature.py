@@ -6,7 +6,6 @@ force, or that interprets the program beside the module that asks.
 
 from __future__ import annotations
 
-import json
 import sys
 from array import array
 from collections.abc import Sequence
@@ -43,6 +42,8 @@ def _interpreted(module: ModuleType) -> Any:
     place = Path(module.__file__ or "").with_suffix(".json")
     if not place.exists():
         return None
+    import json  # here, not above: a force that is compiled needs no program
+
     program = json.loads(place.read_text())
     lists = array("i", program["words"]).tobytes(), array("d", program["numbers"]).tobytes()
     return loaded("slowflow._native").record(False, module.MECHANISM.name, *lists)

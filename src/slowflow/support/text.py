@@ -57,13 +57,20 @@ def _slots(pattern: str) -> Iterator[_Place]:
 
 
 class Sentence:
-    """A pattern, read once; `format` makes a `Text` of it."""
+    """A pattern, read when it is first used; `format` makes a `Text` of it."""
 
     def __init__(self, pattern: str) -> None:
         self.pattern = pattern
-        self.slots = tuple(_slots(pattern))
-        #: names of the values, in the order in which `format` takes them
-        self.names = tuple(dict.fromkeys(one.name for one in self.slots if one.spec or one.joint))
+
+    @functools.cached_property
+    def slots(self) -> tuple[_Place, ...]:
+        """Its places."""
+        return tuple(_slots(self.pattern))
+
+    @functools.cached_property
+    def names(self) -> tuple[str, ...]:
+        """Names of the values, in the order in which `format` takes them."""
+        return tuple(dict.fromkeys(one.name for one in self.slots if one.spec or one.joint))
 
     def format(self, *values: Any, **named: Any) -> Text:
         """The sentence with values in the order of its places, or by name."""
