@@ -195,7 +195,7 @@ class Search:
                     i = int(np.argmin(level))
                     return float(A[i]), float(B[i])
             with np.errstate(all="ignore"):
-                cells = self.sheets.cut(cells)
+                cells = self.sheets.cut(cells, most=MOST_BOXES - looked_at)
         return None
 
     def _may_be_lower(self, cells: Cells, below: float) -> Flags:

@@ -32,6 +32,8 @@ from slowflow.support.text import Sentence
 BELOW, DIVISIONS = 5, 4
 #: how small cells are beside their amplitude, which amplitude is small beside the problem, rounds of cuts
 FINE, SMALL, ROUNDS = 2.0**-4, 2.0**-8, 16
+#: boxes that are enclosed at once: few enough for what is known of them to stay in the processor's caches
+TOGETHER = 4096
 #: of R, by rows
 SIGNS = np.array([[-1.0], [1.0]])
 #: amplitudes beyond it are not followed, as their squares are beyond the range of doubles
@@ -129,12 +131,22 @@ class Sheets:
                 cells = self.cut(cells.take(~fine), 2.0**octave)
             return Cells.joined(done)
 
-    def cut(self, cells: Cells, A_max: float = math.inf) -> Cells:
-        """Each in four, less what the balance leaves out, up to an amplitude."""
+    def cut(self, cells: Cells, A_max: float = math.inf, most: float = math.inf) -> Cells:
+        """Each in four, less what the balance leaves out, up to an amplitude.
+
+        most -- of what is left: beyond it the search has failed, and the remaining boxes are not looked at
+        """
         low, high, chart = cells.low, cells.high, cells.chart
         for _ in range(2):
             (low, high), chart = halved(low, high, self._wide(low, high, chart)), np.tile(chart, 2)
-        return self.looked_at(low, high, chart, A_max)
+        found, count = [], 0
+        for start in range(0, max(chart.size, 1), TOGETHER):
+            some = slice(start, start + TOGETHER)
+            found.append(self.looked_at(low[:, some], high[:, some], chart[some], A_max))
+            count += found[-1].chart.size
+            if count > most:
+                break
+        return Cells.joined(found)
 
     def middles(self, cells: Cells) -> Floats:
         """A and B of a motion in each, (2, n)."""
