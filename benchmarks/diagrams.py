@@ -23,7 +23,7 @@ COLOURS = {
     "DOP853, events": "#D55E00",
     "LSODA, events": "#009E73",
     "Radau, events": "#000000",
-    "AUTO-07p by bifpy": "#882255",
+    "AUTO-07p via bifpy": "#882255",
 }
 MARKERS = dict(zip(COLOURS, "oo^DvPsdX", strict=True))
 #: offset of a text in points, and which of its ends is there
@@ -37,7 +37,7 @@ NAME_POSITIONS = {
     ("motion", "DOP853, events"): LEFT,
     ("motion", "LSODA, events"): ((4, -14), "left", "top"),
     ("motion", "the paper's recipe"): RIGHT,
-    ("motion", "AUTO-07p by bifpy"): ((0, -17), "center", "top"),
+    ("motion", "AUTO-07p via bifpy"): ((0, -17), "center", "top"),
 }
 #: methods named above their least accurate point
 ON_TOP = ("bracketing",)
@@ -137,11 +137,11 @@ def _sizes(ax: Axes, rows: list[dict[str, Any]], unit: str, title: str) -> None:
     low, high = ax.get_xlim()
     ax.set_xlim(low, high * 30)
     low, high = ax.get_ylim()
-    ax.set_ylim(low, high * 3)
+    ax.set_ylim(low, high * 10)  # room for the names above the ends
 
 
 def _stops(ax: Axes, rows: list[dict[str, Any]]) -> None:
-    ax.set(xlabel="stops per period", ylabel="microseconds", title="one periodic motion, linear, by its stops")
+    ax.set(xlabel="stops per period", ylabel="microseconds", title="one periodic motion of a linear spring")
     ax.title.set_fontsize(10)
     method = "slowflow"
     stops, seconds = np.array([(row["stops"], row["seconds"]) for row in rows]).T

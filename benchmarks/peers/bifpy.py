@@ -1,6 +1,6 @@
 """bifpy: AUTO-07p from Python. Needs gfortran and make to install, and gfortran to compile a model."""
 
-NAME = "AUTO-07p by bifpy"
+NAME = "AUTO-07p via bifpy"
 PACKAGES = ("bifpy",)
 PROGRAMS = ("gfortran", "make")
 WHAT = "continuation of the slow flow's equilibria, its own fold detection"

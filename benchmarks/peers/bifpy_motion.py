@@ -59,7 +59,7 @@ def of_amplitude(found):
 def prepare():
     """Variants by name; see `benchmarks.remote`."""
     return {
-        f"motion | AUTO-07p by bifpy | {intervals} intervals": (
+        f"motion | AUTO-07p via bifpy | {intervals} intervals": (
             lambda intervals=intervals: amplitude(intervals),
             of_amplitude,
         )
