@@ -894,8 +894,37 @@ def test_requirements_are_met_under_a_load_by_the_nearest_design():
 def test_what_is_not_sized_under_a_load_is_refused():
     with pytest.raises(ValueError, match="'rests_within' is not an answer"):
         tolerances(isolator(load=0.03), {"r": 0.05}, answers=["rests_within"])
-    with pytest.raises(ValueError, match="fit is not available with load = 13 kg"):
-        fit(MOUNT.replace(load=13.0), A=[0.01], F=5, f=[2.0], free=["k_h"])
+    with pytest.raises(ValueError, match="a fit to a backbone is not available with a load"):
+        fit(MOUNT.replace(load=13.0), A=[0.01, 0.02], backbone=[2.0, 2.1], free=["k_h"])
+
+
+@pytest.mark.slow
+def test_a_fit_under_a_load_has_the_numbers_of_its_design():
+    """Amplitudes, phases and jumps of one design without noise, from another load too."""
+    one, Omega, folds = isolator(load=0.03), np.linspace(0.6, 1.4, 4), isolator(load=0.03).saddle_nodes(0.04)
+    states = [one.amplitudes(Omega=at, F_0=0.02) for at in Omega]
+    sets = [
+        {name: [getattr(found, name)[found.stable][0] for found in states], "Omega": Omega, "F_0": 0.02}
+        for name in ("A", "phi")
+    ]
+    sets += [
+        {name: folds.Omega[folds.kind == name.replace("_", "-")], "F_0": 0.04} for name in ("jump_up", "jump_down")
+    ]
+    free = ["load", "zeta", "r"]
+    start = one.replace(load=0.028, zeta=0.025, r=2.1)
+    found = fit(start, *({**each, "deviation": 0.001} for each in sets), free=free)
+    assert found.value == pytest.approx([one.given[name] for name in free], rel=1e-7)
+    assert found.design.load == found.value[0] and "under a load" in found.message
+
+
+def test_a_decay_under_a_load_has_the_numbers_of_its_spring():
+    """u'' + 2 zeta u' + alpha u + beta u^3 = load, by SciPy, from rest at .5."""
+    alpha, beta, zeta, load, t = 1.0, 0.6, 0.03, 0.2, np.linspace(0, 40, 150)
+    options = {"t_eval": t, "rtol": 1e-11, "atol": 1e-12}
+    pulls = lambda _, y: (y[1], load - 2 * zeta * y[1] - alpha * y[0] - beta * y[0] ** 3)  # noqa: E731
+    x = scipy.integrate.solve_ivp(pulls, t[[0, -1]], (0.5, 0.0), **options).y[0]
+    found = fit(Duffing(1.02, 0.55, zeta=0.04, load=0.21), x=x, t=t, free=["alpha", "beta", "zeta", "load"])
+    assert found.value == pytest.approx([alpha, beta, zeta, load, 0.5], rel=1e-7)
 
 
 def test_static_friction_is_sized_and_changes_no_average():

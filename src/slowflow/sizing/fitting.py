@@ -19,13 +19,14 @@ from scipy.special import stdtrit
 
 from slowflow.answers.answer import Table, joined
 from slowflow.answers.quantities import SHEET, SI, in_shown, si
-from slowflow.averaged.many import AMPLITUDES, SADDLE_NODES
+from slowflow.averaged.many import AMPLITUDES, SADDLE_NODES, Question
 from slowflow.core import validate
 from slowflow.core.backend import EXACT
 from slowflow.core.mechanism import EquationOfMotion, Floats
 from slowflow.core.model import THROUGHOUT
 from slowflow.exact.motion import MOST_STEPS, handle, system_of
 from slowflow.exact.transient import record
+from slowflow.off_centre.many import OffCentreDesigns
 from slowflow.oscillators.range_checks import Implausible
 from slowflow.random_vibration.record import accelerations
 from slowflow.sizing.subject import Measured, Subject, first_jump
@@ -57,8 +58,8 @@ DECADES = (-2.5, -0.3)
 OTHER_START = "a search from the given start ends with a sum of squares of {:.3g}, from another one with {:.3g}"
 OPEN = "the points do not determine {}: an interval has no end within 1/1000 to 1000 times the start value"
 LINEAR = (
-    "the intervals are those of the linearized equations: with other laws of damping, and for a free decay, the "
-    "profile likelihood would take too long"
+    "the intervals are those of the linearized equations: with other laws of damping, under a load, and for a free "
+    "decay, the profile likelihood would take too long"
 )
 #: slower than this share of the fastest, a motion turns: friction changes sides, and may take a displacement for it
 TURNS = 0.1
@@ -152,9 +153,9 @@ def fit(
     too narrow. The intervals account for noise alone, not for the error of averaging, which may shift a parameter by a
     percent. They use the profile likelihood with Student's t: in 100 fits of one to four parameters, 91 to 96 % of the
     intervals contained the true value, on curves that jump 88 to 97 %, see docs/howto/fit.md. For other damping laws
-    they are linearized. A parameter that the data do not bound has an interval that ends at 0 or inf, and the message
-    names it. Six starting points are tried (for a free decay only the given one), which does not prove that there is no
-    lower minimum; the message reports if the given start leads to a higher one.
+    they are linearized, and under a load. A parameter that the data do not bound has an interval that ends at 0 or inf,
+    and the message names it. Six starting points are tried (for a free decay and under a load only the given one),
+    which does not prove that there is no lower minimum; the message reports if the given start leads to a higher one.
 
     Parameters
     ----------
@@ -217,9 +218,6 @@ def _one_set(of: Any, free: Sequence[str] | None, data: Mapping[str, Any]) -> tu
     at = {name: value for name, value in data.items() if name not in MEASURED}
     F = at.pop("F", None) if x is not None else None
     subject = Subject(of, () if free is None else free, at)
-    of = subject.of
-    with contextlib.nullcontext() if subject.mount is None else subject.mount.scales.in_these_terms():
-        (of if subject.mount is None else of.oscillator).at_centre("fit")
     kinds = [A is None or backbone is not None, phi is None, jump_up is None and jump_down is None, backbone is None]
     if [*kinds, x is None].count(False) != 1:
         raise Refused(
@@ -233,6 +231,8 @@ def _one_set(of: Any, free: Sequence[str] | None, data: Mapping[str, Any]) -> tu
         A, backbone = si("A", A, "m"), si("backbone", backbone, "Hz")
         jump_up, jump_down = si("jump_up", jump_up, "Hz"), si("jump_down", jump_down, "Hz")
     if backbone is not None:
+        if subject.loaded:
+            raise validate.NotAvailable("a fit to a backbone is not available with a load")
         return subject, _backbone(subject, A, backbone)
     if A is None and phi is None:
         return subject, _jumps(subject, subject.measured()[0], jump_up, jump_down)
@@ -295,8 +295,8 @@ def _fitted(subject: Subject, measured: _Measured, names: list[str]) -> Fit:
         columns = dict(zip(names, (x * start).T[..., np.newaxis], strict=True))
         return np.asarray(measured.values - measured.of_designs(columns))
 
-    # far from the frequency of a decay no start leads to it
-    found, own = _best(residuals, len(start), 0 if measured.released else STARTS)
+    # far from the frequency of a decay no start leads to it; motions under a load take too long
+    found, own = _best(residuals, len(start), 0 if measured.released or subject.loaded else STARTS)
     left = size - len(names)
     half = float(stdtrit(left, 0.5 * (1 + CONFIDENCE)))
     ends = None
@@ -476,8 +476,7 @@ def _jumps(subject: Subject, forcing: Any, up: Any, down: Any) -> _Measured:
     def of_designs(values: Mapping[str, Any]) -> Floats:
         """0 where a design does not jump."""
         designs, _, units = subject.designs(values)
-        F_0 = forces / units[subject.amplitude]
-        folds = designs._batch("saddle_nodes", designs.ask(SADDLE_NODES, 1, F_0, MAX_COUNT), {}, F_0=F_0)
+        folds = _of_doubles(designs, SADDLE_NODES, F_0=forces / units[subject.amplitude])
         found = np.stack([first_jump(folds, True), first_jump(folds, False)], axis=-2)
         found = found * np.asarray(units["frequency"])[..., np.newaxis]
         return np.asarray(np.nan_to_num(found)[..., there])
@@ -519,18 +518,27 @@ def _nearest(
     """A or phi of the stable state of designs nearest to each measured one, 0 where there is none or the mass rests."""
     designs, _, units = subject.designs(values)
     Omega, F_0 = at / units["frequency"], forcing / units[subject.amplitude]
-    A, stable, *_ = columns = designs.ask(AMPLITUDES, 1, F_0, MAX_COUNT, Omega=Omega)
-    designs._leave_out_what_drifts(Omega[..., np.newaxis], A, stable)
+    states = _of_doubles(designs, AMPLITUDES, F_0=F_0, Omega=Omega)
     if name == "A":
-        there = A * np.asarray(units["length"])[..., np.newaxis]
+        there = states.A * np.asarray(units["length"])[..., np.newaxis]
     else:
-        phi = designs._batch("amplitudes", columns, {}, F_0=F_0, Omega=Omega).phi
         # as many whole cycles away as the measured one
-        there = phi + 2 * np.pi * np.round((measured[:, np.newaxis] - phi) / (2 * np.pi))
-    there = np.where(stable == 1, there, np.inf)
+        there = states.phi + 2 * np.pi * np.round((measured[:, np.newaxis] - states.phi) / (2 * np.pi))
+    there = np.where(states.stable == 1, there, np.inf)
     nearest = np.argmin(np.abs(there - measured[:, np.newaxis]), axis=-1)[..., np.newaxis]
     found = np.take_along_axis(there, nearest, -1)[..., 0]
     return np.where(np.isfinite(found), found, 0.0)
+
+
+def _of_doubles(designs: Any, question: Question, **at: Floats) -> Any:
+    """The folds or states of designs, about the centre by doubles alone."""
+    if isinstance(designs, OffCentreDesigns):
+        return getattr(designs, question.name)(places=MAX_COUNT, **at)
+    columns = designs.ask(question, 1, places=MAX_COUNT, **at)
+    if question is AMPLITUDES:
+        A, stable, *_ = columns
+        designs._leave_out_what_drifts(at["Omega"][..., np.newaxis], A, stable)
+    return designs._batch(question.name, columns, {}, **at)
 
 
 def _in_time(subject: Subject, rows: Mapping[str, Any]) -> _Measured:
@@ -559,7 +567,8 @@ def _systems(subject: Subject, values: Mapping[str, Any]) -> Iterator[tuple[int,
     sizes = {kind: np.broadcast_to(units[kind], (count, 1))[:, 0].tolist() for kind in ("length", "time", "force")}
     for k in range(count):
         with contextlib.suppress(ValueError):
-            system = system_of(designs, {name: column[k] for name, column in numbers.items()})
+            one = {name: column[k] for name, column in numbers.items()}
+            system = system_of(designs, one, one.get("load", 0.0))
             yield k, system, {kind: column[k] for kind, column in sizes.items()}
 
 
