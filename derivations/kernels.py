@@ -83,6 +83,7 @@ class Kernel(Called):
     searched   -- and on intervals of any arithmetic, in Python
     looped     -- whether Python may have it as a compiled loop over arrays of floats: asked once an answer, it need not
     in_c       -- whether anything in C calls it, where a module is in C at all
+    in_python  -- whether Python has its text; what only the compiled solvers call is had from C there
     paired     -- and in double-double, in C, and in balls, in Python
     to_pairs   -- of one in double-double: the lets that are wanted so, what is left to do being done in doubles; all
                   of it where there are none
@@ -101,6 +102,7 @@ class Kernel(Called):
     searched: bool = False
     looped: bool = True
     in_c: bool = True
+    in_python: bool = True
     paired: bool = False
     to_pairs: tuple[sp.Symbol, ...] = ()
 
@@ -111,7 +113,7 @@ class Kernel(Called):
     @property
     def compiled(self) -> bool:
         """Whether Python has it as a loop over arrays of floats."""
-        return self.width > 0 and self.looped and not self.generic
+        return not self.in_python or (self.width > 0 and self.looped and not self.generic)
 
 
 class Lets(NamedTuple):

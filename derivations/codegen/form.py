@@ -150,7 +150,7 @@ class Record:
 
 @dataclass(frozen=True)
 class TwofoldKernel:
-    """A generated function in double-double, for floats and arrays as they are; see `compensated`.
+    """A generated function in double-double, which only the compiled solvers call; see `compensated`.
 
     lets, values -- what to evaluate, in structured form
     lows    -- which arguments come with a low part, and its name
@@ -169,6 +169,11 @@ class TwofoldKernel:
     lows: dict[sp.Symbol, sp.Symbol] = field(default_factory=dict)
     returns: str = "rounded"
     plain: tuple[sp.Expr, ...] = ()
+    compiled = True
+
+    @property
+    def width(self) -> int:
+        return (2 if self.returns == "pairs" else 1) * len(self.values) + len(self.plain)
 
 
 @dataclass(frozen=True)
@@ -289,9 +294,15 @@ class Module:
         return (*(self.enclosed.terms if self.enclosed else ()), *(self.off_centre.bounded if self.off_centre else ()))
 
     @property
-    def looped(self) -> tuple[Kernel | Selection | Composition, ...]:
+    def looped(self) -> tuple[Kernel | TwofoldKernel | Selection | Composition, ...]:
         """What is compiled into loops over arrays."""
-        return tuple(one for one in (*self.kernels, *self.selections, *self.compositions) if one.compiled)
+        every = (*self.kernels, *self.twofolds, *self.selections, *self.compositions)
+        return tuple(one for one in every if one.compiled)
+
+    @property
+    def of_solvers(self) -> tuple[Kernel | TwofoldKernel, ...]:
+        """What only the compiled solvers call: Python has it from C, as loops over arrays."""
+        return (*(kernel for kernel in self.kernels if not kernel.in_python), *self.twofolds)
 
     @property
     def in_balls(self) -> tuple[Kernel, ...]:

@@ -27,7 +27,8 @@ _STATES = "F_Omega_reduced state_R state"
 #: by module, with names of kernels, or * for all that are in neither of the first two:
 #:     cells    -- on intervals, and nowhere on doubles
 #:     settled  -- in double-double only
-#:     in_c     -- in C these alone; all where nothing is said
+#:     solvers  -- called by compiled solvers alone: in C, and had from there in Python
+#:     in_c     -- in C these too, and no others; all where nothing is said
 #:     unlooped -- evaluated once an answer: Python has them as no loop over arrays
 #:     others   -- as in `Kernel`
 REQUESTS = {
@@ -37,22 +38,31 @@ REQUESTS = {
         "searched": f"{_ON_INTERVALS} {_STATES}",
         "paired": "friction",
         "unlooped": "held",
+        "solvers": "fold_moves fold_square peak_Omega_A cusp_balance isola_level isola_hessian tail",
         "cells": f"{_STATES} fold_least",
         "settled": " ".join(f"{kind}_step" for kind in EQUATIONS),
     },
     "slow_flow_mu0": {"enclosed": "isola", "searched": "isola F_Omega_reduced", "cells": "F_Omega_reduced"},
     "slow_flow_zeta0": {
+        "solvers": "undamped_level",
         "enclosed": "fold undamped_Omega",
         "searched": "fold undamped_Omega undamped_rises F_Omega_reduced",
         "cells": "F_Omega_reduced",
     },
-    "inertia": {"enclosed": "terms peak isola isola_apart", "unlooped": "amplitude moves_from"},
+    "inertia": {
+        "enclosed": "terms peak isola isola_apart",
+        "unlooped": "amplitude moves_from",
+        "solvers": """terms hessian fold_force fold_level fold_slopes force_slopes level_slope least_Omega_A peak_share
+            Omega_of_share isola_apart""",
+    },
+    "second_approximation": {"solvers": "detachment_by_inertia"},
     "dissipation": {
         "generic": "*",
-        "in_c": f"""quadratic cubic restoring at_rest released viscous viscous_moves I I_A far F F_A F_AA
-            response_polynomial fold_polynomial far_by_inertia structural_bound quadratic_bound least_scaled static
-            limit_envelope R_of_peak F_A_halved F_OmegaOmega Omega_A Omega_A_by_inertia full_by_inertia rest_moves
-            released_moves F_AOmegaOmega cusp_bend isola_bend cusp_bend_by_inertia isola_bend_by_inertia {_SYSTEMS}""",
+        "solvers": f"""restoring viscous_moves far response_polynomial fold_polynomial structural_bound quadratic_bound
+            least_scaled R_of_peak F_A_halved Omega_A Omega_A_by_inertia released_moves F_AOmegaOmega
+            cusp_bend_by_inertia isola_bend_by_inertia {_SYSTEMS}""",
+        "in_c": """quadratic cubic at_rest rest_moves released viscous I I_A F F_A F_AA far_by_inertia static
+            limit_envelope F_OmegaOmega full_by_inertia cusp_bend isola_bend""",
         "enclosed": f"""at_rest released viscous I I_A far R_of_response R_of_peak R_where_stationary far_by_inertia
             F_A_scaled I_scaled static turn_share {_SYSTEMS}""",
         "cells": """rest_intercept released_intercept sine_intercept sine_intercept_far I_AA I_AA_far R_of_peak_by_rest
@@ -60,24 +70,28 @@ REQUESTS = {
     },
     "off_centre": {
         "generic": "*",
-        "in_c": "begin up down ended_along",
+        "solvers": "begin up down ended_along",
+        "in_c": "",
         "enclosed": "ended_slopes ended_state ended_along ended_fold beside begin down",
     },
     "linearization": {
         "generic": "*",
-        "in_c": "over_displacements equivalent_damping damping_force response resonance steepest",
+        "solvers": "steepest",
+        "in_c": "over_displacements equivalent_damping damping_force response resonance",
     },
-    "sensitivities": {"generic": "*"},
+    "sensitivities": {"generic": "*", "solvers": "of_state by_force by_inertia"},
     "sampled": {
         "generic": "*",
-        "in_c": """at_rest averaged_terms averaged_end intercept_terms intercept_end harmonics_terms harmonics_end""",
+        "solvers": "averaged_terms averaged_end intercept_terms intercept_end harmonics_terms harmonics_end",
+        "in_c": "at_rest",
         "enclosed": "bent_terms bent_end_0 bent_end_1 bent_end_2 bent_end_3",
     },
     # the recurrences of `taylor` are the rates in C; only the paper's own way is smoothed
     "motion": {
         "generic": "*",
-        "in_c": """push push_slopes breakaway acceleration resistance across turned released rates_by_state
-            rates_by_parameter structural""",
+        "solvers": "turned",
+        "in_c": """push push_slopes breakaway acceleration resistance across released rates_by_state rates_by_parameter
+            structural""",
     },
 }
 
@@ -87,14 +101,17 @@ def requested(module: str, kernels: Iterable[Kernel]) -> dict[str, tuple[Kernel,
     by_name = {kernel.name: kernel for kernel in kernels}
     requests = {flag: names.split() for flag, names in REQUESTS.get(module, {}).items()}
     apart = {form: requests.pop(form, []) for form in ("cells", "settled")}
+    solvers = requests.pop("solvers", [])
     only = [name for names in apart.values() for name in names]
-    if unknown := {name for names in (*requests.values(), only) for name in names} - {"*", *by_name}:
+    if unknown := {name for names in (*requests.values(), only, solvers) for name in names} - {"*", *by_name}:
         raise ArithmeticError(f"{module} has no kernels {sorted(unknown)}")
     flags: dict[str, dict[str, bool]] = {name: {} for name in by_name}
     for flag, names in requests.items():
         for name in by_name:
             chosen = name in names or (names == ["*"] and name not in only)
             flags[name] |= {"looped": not chosen} if flag == "unlooped" else {flag: chosen}
+    for name in solvers:
+        flags[name] |= {"in_c": True, "in_python": False}
     stated = {name: replace(kernel, **flags[name]) for name, kernel in by_name.items()}
     return {
         "kernels": tuple(kernel for name, kernel in stated.items() if name not in only),

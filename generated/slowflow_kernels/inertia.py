@@ -25,7 +25,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from slowflow.support.backend import NATIVE, compiled
+from slowflow.support.backend import NATIVE, compiled, from_c
 from slowflow.support.broadcast import broadcast_outputs, floats
 
 if TYPE_CHECKING:
@@ -45,15 +45,6 @@ def force(Omega: ArrayLike, F_0: ArrayLike) -> Any:
     """
     Omega, F_0 = floats(Omega, F_0)
     return F_0 * Omega * Omega
-
-
-def force_slopes(Omega: ArrayLike, F_0: ArrayLike) -> tuple[Any, Any]:
-    """Its slopes by Omega, F_0.
-
-    Equation beside (3). Domain: Omega >= 0. Operations: 3. Error / u (1 + kappa): proved 0.34, 0.34.
-    """
-    Omega, F_0 = floats(Omega, F_0)
-    return broadcast_outputs((Omega, F_0), 2.0 * F_0 * Omega, Omega * Omega)
 
 
 def amplitude(Omega: Any, force: Any) -> Any:
@@ -112,18 +103,6 @@ def F(Omega: ArrayLike, A: ArrayLike, F_0: ArrayLike, m: ArrayLike, zeta: ArrayL
     return R * R + (I - t1) * (I + t1)
 
 
-def level_slope(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike) -> Any:
-    """Omega^5 times the derivative of level^2 by Omega.
-
-    Equation from (24). Domain: Omega > 0, A > 0. Operations: 13. Error / u (1 + kappa): proved 5.26.
-    """
-    Omega, A, m, zeta, h = floats(Omega, A, m, zeta, h)
-    R = A * Omega * Omega + h
-    t0 = A * Omega * zeta
-    I = m + 2.0 * t0
-    return -4.0 * I * (m + t0) - 4.0 * R * h
-
-
 def Omega_A(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike, h_A: ArrayLike) -> Any:
     """dOmega/dA along the response.
 
@@ -138,15 +117,6 @@ def Omega_A(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: Ar
     return -2.0 * Omega * (2.0 * I * t1 + R * (h_A + t0)) / (-4.0 * I * (m + t2) - 4.0 * R * h)
 
 
-def terms(A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike) -> tuple[Any, Any, Any]:
-    """What the least level of an amplitude follows from; it has one where the first, fall, is positive.
-
-    Equation from (24). Domain: A > 0. Operations: 11. Error / u (1 + kappa): proved 1.61, 0.76, 0.67.
-    """
-    A, m, zeta, h = floats(A, m, zeta, h)
-    return broadcast_outputs((A, m, zeta, h), -A * (2.0 * A * zeta * zeta + h), 12.0 * A * m * zeta, h * h + m * m)
-
-
 def least(fall: ArrayLike, linear: ArrayLike, rest: ArrayLike) -> Any:
     """x = 1/Omega where the level of an amplitude is least, by its `terms`.
 
@@ -154,20 +124,6 @@ def least(fall: ArrayLike, linear: ArrayLike, rest: ArrayLike) -> Any:
     """
     fall, linear, rest = floats(fall, linear, rest)
     return 8.0 * fall / (linear + np.sqrt(64.0 * fall * rest + linear * linear))
-
-
-def least_Omega_A(x: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike, h_A: ArrayLike) -> Any:
-    """dOmega/dA where the level of an amplitude is least: what a rounding of A does to Omega there.
-
-    Equation from (24). Domain: x of `least`, h < 0. Operations: 24. Error / u (1 + kappa): measured 1.7.
-    """
-    x, A, m, zeta, h, h_A = floats(x, A, m, zeta, h, h_A)
-    t0 = x * x
-    t1 = 3.0 * m * zeta
-    t2 = 2.0 * x
-    return (
-        (4.0 * A * zeta * zeta + h + h_A * (A + 2.0 * h * t0) + t1 * x) / (t0 * (A * t1 + h * h * t2 + m * m * t2))
-    )
 
 
 def peak(x: ArrayLike, A: ArrayLike, F_0: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike, h_A: ArrayLike) -> tuple[Any, Any]:
@@ -211,83 +167,6 @@ def isola(x: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLik
     )
 
 
-def isola_apart(x: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike, k: ArrayLike, cubic: ArrayLike) -> Any:
-    """The same without its slope by k = h - A h_A and cubic = 3 h - A h_A, small where h is like A^3.
-
-    Equation from (24), (30). Domain: x of `least`, h < 0. Operations: 17. Error / u (1 + kappa): measured 1.1.
-    """
-    x, A, m, zeta, h, k, cubic = floats(x, A, m, zeta, h, k, cubic)
-    t0 = A * zeta
-    t1 = m * x
-    drag = t0 + t1
-    x2 = x * x
-    x3 = x * x2
-    return (-cubic * t0 * x2 + drag * drag * (-2.0 * t0 - t1) / h - k * m * x3) / A
-
-
-def fold_slopes(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, k: ArrayLike) -> tuple[Any, Any, Any]:
-    """dR/dA at a fold by k = h - A h_A: of the two with F_A = 0 the larger, the other; -R/I with the first.
-
-    Equation from (30). Domain: Omega > 0, A > 0, zeta > 0, k other than 0. Operations: 24. Error / u (1 + kappa):
-    measured 1.1.
-    """
-    Omega, A, m, zeta, k = floats(Omega, A, m, zeta, k)
-    t0 = 2.0 * Omega * zeta
-    I = A * t0 + m
-    part = -8.0 * A * I * Omega * zeta / (k * k) + 1.0
-    root = np.sqrt(0.5 * part + 0.5 * np.abs(part))
-    t1 = 1.0 / A
-    steep = -0.5 * k * t1 * (root + 1.0)
-    t2 = t0 / steep
-    return steep, I * t1 * t2, t2
-
-
-def fold_force(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, other: ArrayLike) -> Any:
-    """The F_0 of a force at a fold, by the one of `fold_slopes` that is not its own.
-
-    Equation from (24), (30). Domain: Omega > 0, A > 0. Operations: 10. Error / u (1 + kappa): measured 0.91.
-    """
-    Omega, A, m, zeta, other = floats(Omega, A, m, zeta, other)
-    I = 2.0 * A * Omega * zeta + m
-    return np.sqrt(A * A * other * other + I * I)
-
-
-def fold_level(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, other: ArrayLike) -> Any:
-    """The F_0 of a fold, by the one of `fold_slopes` that is not its own.
-
-    Equation from (24), (30). Domain: Omega > 0, A > 0. Operations: 12. Error / u (1 + kappa): measured 0.73.
-    """
-    Omega, A, m, zeta, other = floats(Omega, A, m, zeta, other)
-    I = 2.0 * A * Omega * zeta + m
-    return np.sqrt(A * A * other * other + I * I) / (Omega * Omega)
-
-
-def peak_share(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike) -> Any:
-    """-R/I where the level is least and R small beside A Omega^2.
-
-    Equation from (24). Domain: Omega > 0, A > 0, zeta > 0. Operations: 22. Error / u (1 + kappa): measured 1.2.
-    """
-    Omega, A, m, zeta = floats(Omega, A, m, zeta)
-    t0 = A * Omega * zeta
-    t1 = 2.0 * t0
-    I = m + t1
-    Omega2 = Omega * Omega
-    Omega4 = Omega2 * Omega2
-    part = A * A * Omega4 - 4.0 * I * (m + t0)
-    root = np.sqrt(0.5 * part + 0.5 * np.abs(part))
-    return (-2.0 * m - t1) / (A * Omega2 + root)
-
-
-def Omega_of_share(A: ArrayLike, F_0: ArrayLike, m: ArrayLike, zeta: ArrayLike, share: ArrayLike) -> Any:
-    """Omega of a steady state with that -R/I.
-
-    Equation from (24). Domain: A > 0, F_0 > 0. Operations: 13. Error / u (1 + kappa): measured 1.2.
-    """
-    A, F_0, m, zeta, share = floats(A, F_0, m, zeta, share)
-    of_I = F_0 / np.sqrt(share * share + 1.0)
-    return (A * zeta + np.sqrt(A * A * zeta * zeta + m * of_I)) / of_I
-
-
 def level_rise(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike, h_A: ArrayLike, h_AA: ArrayLike) -> Any:
     """Positive where the level rises with A along the fold locus, negative where it falls.
 
@@ -325,37 +204,6 @@ def cusp_bend(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: 
     )
 
 
-def hessian(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike, h_A: ArrayLike, h_AA: ArrayLike) -> Any:
-    """At an isola point: negative where the level has a saddle in (A, Omega).
-
-    Equation from (24), (30). Domain: Omega > 0, A > 0. Operations: 55. Error / u (1 + kappa): measured 1.7.
-    """
-    Omega, A, m, zeta, h, h_A, h_AA = floats(Omega, A, m, zeta, h, h_A, h_AA)
-    t0 = Omega * Omega
-    R = A * t0 + h
-    t1 = 2.0 * A
-    t2 = Omega * t1
-    I = m + t2 * zeta
-    t3 = h_A + t0
-    t4 = zeta * zeta
-    t5 = 4.0 * t4
-    t6 = t0 * t5 + t3 * t3
-    G_AOmega = A * Omega * t5 + t2 * t3
-    t7 = A * A
-    G_OmegaOmega = 4.0 * t0 * t7 + t5 * t7
-    t8 = R * h_AA
-    t9 = I * zeta
-    t10 = Omega * R
-    S_AOmega = 2.0 * t10 + 2.0 * t9
-    S_OmegaOmega = R * t1
-    t11 = 4.0 * S_OmegaOmega
-    t12 = -h_A + t0
-    return (
-        -24.0 * A * (t10 + t9) * (t6 + t8) / Omega - 8.0 * G_AOmega * S_AOmega + 4.0 * G_OmegaOmega * t8 - 4.0 *
-        S_AOmega * S_AOmega + t11 * t6 + t11 * t8 + 16.0 * t12 * t12 * t4 * t7
-    )
-
-
 def bound(A: ArrayLike, F_0: ArrayLike, zeta: ArrayLike, h: ArrayLike, h_A: ArrayLike, h_AA: ArrayLike, h_AAA: ArrayLike, lost: ArrayLike) -> tuple[Any, Any, Any, Any]:
     """Positive where no state has an amplitude A > F_0, if zeta^2 A <= lost |h|; three derivatives by A.
 
@@ -388,3 +236,18 @@ def share(A: ArrayLike, zeta: ArrayLike, h: ArrayLike) -> Any:
 
 if NATIVE is not None:
     globals().update(compiled(globals(), NATIVE.inertia()))
+#: what only the compiled solvers call, with its arguments; all else is said in generated/c/inertia.h
+OF_SOLVERS = {
+    "force_slopes": "Omega F_0",
+    "level_slope": "Omega A m zeta h",
+    "terms": "A m zeta h",
+    "least_Omega_A": "x A m zeta h h_A",
+    "isola_apart": "x A m zeta h k cubic",
+    "fold_slopes": "Omega A m zeta k",
+    "fold_force": "Omega A m zeta other",
+    "fold_level": "Omega A m zeta other",
+    "peak_share": "Omega A m zeta",
+    "Omega_of_share": "A F_0 m zeta share",
+    "hessian": "Omega A m zeta h h_A h_AA",
+}
+globals().update(from_c("inertia", OF_SOLVERS))

@@ -5,9 +5,9 @@ Written by `make derive`; never edit.
 Input: none but the equation of motion in derivations/paper/equation_of_motion.py, derivations/extensions/linearization.py
 Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
-Everything is dimensionless, for any kind of number that has arithmetic: floats, complex numbers, arrays, an integrator's
-symbols. Each output has the shape of the arguments that it depends on, broadcast. Each docstring gives equation number,
-domain and floating-point operations.
+Everything is dimensionless. Arguments broadcast; each output has their common shape, NumPy scalars for scalars, where
+arguments are of type ArrayLike, and the shape of those that it depends on where they may be any kind of number. Each
+docstring gives equation number, domain and floating-point operations, by regime where there are several.
 """
 
 # a formatter would spread each polynomial over a page
@@ -19,6 +19,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from slowflow.support.backend import from_c
 
 __all__ = [
     "crossings", "damping_force", "energy_loss", "equivalent_damping", "over_displacements", "resonance",
@@ -84,17 +85,6 @@ def response(Omega: Any, k: Any, c: Any) -> tuple[Any, Any, Any]:
     Z = t1 + t2 * t2
     t3 = 2.0 / Z
     return Z, -k * t2 * t3, -t1 * t3
-
-
-def steepest(ratio: Any) -> tuple[Any, Any, Any]:
-    """Of the slope of -ln Z by ln k the least and the largest, and the largest k^2/Z, at any frequency.
-
-    Equation (3). Domain: 0 < ratio < 1/2. Operations: 11.
-    """
-    t0 = 1.0 / (ratio - 1.0)
-    t1 = 0.5 / ratio
-    t2 = 1.0 / (ratio + 1.0)
-    return t0 * t1, t1 * t2, -0.25 * t0 * t2 / (ratio * ratio)
 
 
 def resonance(theta: Any, k: Any, c: Any, slope: Any, G: Any, E_re: Any, E_im: Any, D_re: Any, D_im: Any) -> tuple[Any, Any, Any, Any, Any, Any]:
@@ -163,3 +153,8 @@ def crossings(end: Any, sigma_u: Any, sigma_v: Any) -> Any:
     """
     return 0.31830988618379069 * sigma_v * np.exp(-0.5 * end * end / (sigma_u * sigma_u)) / sigma_u
 
+#: what only the compiled solvers call, with its arguments; all else is said in generated/c/linearization.h
+OF_SOLVERS = {
+    "steepest": "ratio",
+}
+globals().update(from_c("linearization", OF_SOLVERS))

@@ -5,9 +5,9 @@ Written by `make derive`; never edit.
 Input: none but the equation of motion in derivations/paper/equation_of_motion.py, derivations/extensions/motion.py, derivations/extensions/switching.py
 Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
-Everything is dimensionless, for any kind of number that has arithmetic: floats, complex numbers, arrays, an integrator's
-symbols. Each output has the shape of the arguments that it depends on, broadcast. Each docstring gives equation number,
-domain and floating-point operations.
+Everything is dimensionless. Arguments broadcast; each output has their common shape, NumPy scalars for scalars, where
+arguments are of type ArrayLike, and the shape of those that it depends on where they may be any kind of number. Each
+docstring gives equation number, domain and floating-point operations, by regime where there are several.
 Rounding errors are in u (1 + kappa), u = 2^-53: proved ones hold wherever nothing overflows or underflows, measured
 ones are the worst of all outputs that was found, by a search for it with A 0.01 to 1, A_1 0.01 to 1, F_0 0.03 to
 0.1, Omega 0.3 to 2, after up to 1 of either sign, before up to 1 of either sign, beyond 0.001 to 0.1, by_theta up
@@ -28,6 +28,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from slowflow.support.backend import from_c
 
 __all__ = [
     "acceleration", "across", "back", "breakaway", "out", "push", "push_slopes", "rates", "rates_by_parameter",
@@ -179,14 +180,6 @@ def across(before: Any, after: Any, v: Any) -> Any:
     return (after - before) / v
 
 
-def turned(before: Any, after: Any) -> Any:
-    """What is left of a deviation of u' where the velocity changes its sign and u'' with it; 0 where the mass stops.
-
-    Equation beside (3). Domain: before other than 0. Operations: 1. Error / u (1 + kappa): proved 0.34.
-    """
-    return after / before
-
-
 def released(after: Any, Omega: Any, by_theta: Any, by_u: Any) -> Any:
     """What u' is of a deviation of u where the push on a mass at rest, with these slopes, breaks it away.
 
@@ -213,3 +206,8 @@ def back(beyond: Any, growth: Any) -> Any:
     cube = 6.0 * beyond / growth
     return np.cbrt(cube)
 
+#: what only the compiled solvers call, with its arguments; all else is said in generated/c/motion.h
+OF_SOLVERS = {
+    "turned": "before after",
+}
+globals().update(from_c("motion", OF_SOLVERS))

@@ -5,9 +5,9 @@ Written by `make derive`; never edit.
 Input: none but the equation of motion in derivations/paper/averaging.py, derivations/paper/slow_flow.py, derivations/asymmetric/off_centre.py
 Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
-Everything is dimensionless, for any kind of number that has arithmetic: floats, complex numbers, arrays, an integrator's
-symbols. Each output has the shape of the arguments that it depends on, broadcast. Each docstring gives equation number,
-domain and floating-point operations.
+Everything is dimensionless. Arguments broadcast; each output has their common shape, NumPy scalars for scalars, where
+arguments are of type ArrayLike, and the shape of those that it depends on where they may be any kind of number. Each
+docstring gives equation number, domain and floating-point operations, by regime where there are several.
 Rounding errors are in u (1 + kappa), u = 2^-53: proved ones hold wherever nothing overflows or underflows, measured
 ones are the worst of all outputs that was found, by a search for it with A 1e-09 to 1000, B 1e-09 to 1000, F_0
 1e-09 to 1000, F_2 1e-09 to 1000 or 0, I 1e-12 to 1000 or 0, I_A 1e-09 to 1000 of either sign or 0, L_1 1e-09 to
@@ -36,6 +36,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from slowflow.support.backend import from_c
 
 __all__ = [
     "averaged", "begin", "beside", "down", "ended_along", "ended_fold", "ended_slopes", "ended_state", "fold",
@@ -174,15 +175,6 @@ def ended_state(Omega: Any, A: Any, force: Any, I: Any, I_A: Any, load: Any, c_0
         X * t2 + t4 * (X * t1 + X * t3 - 2.0 * c_x),
         Y * t2 + t4 * (Y * t1 + Y * t3 + 2.0 * c_y),
     )
-
-
-def ended_along(A: Any, s_0: Any, c_x: Any, c_y: Any, X: Any, Y: Any) -> tuple[Any, Any]:
-    """Along the balance, by coordinates of the motion's ends: A's slope, and what F_A gains there by R.
-
-    Equation (30) and the mean of (3). Domain: A > 0. Operations: 7. Error / u (1 + kappa): proved 1.01, 2.01.
-    """
-    t0 = -X * c_y + Y * c_x
-    return t0, A * c_x * c_y + s_0 * t0
 
 
 def ended_slopes(A: Any, s_0: Any, c_x: Any, c_y: Any, X: Any, Y: Any) -> tuple[Any, Any, Any]:
@@ -330,38 +322,11 @@ def moved_at_end(side: Any, c_1: Any, s_1: Any, c_0_p: Any, load_p: Any, end_p: 
         (c_0_p + end_p * t0 - load_p) / (-s_1 + t0),
     )
 
-
-def begin(A: Any, a: Any, root: Any, angle: Any) -> tuple[Any, Any, Any, Any]:
-    """L_-1, L_0, M_-1, M_0 of a step at B + a that the motion passes at psi = angle.
-
-    Equation the mean of (3). Domain: root = sqrt(A^2 - a^2). Operations: 7. Error / u (1 + kappa): measured 0.99.
-    """
-    t0 = 0.31830988618379069 / root
-    t1 = 1.0 / A
-    return t0, 0.31830988618379069 * angle, a * t0 * t1, 0.31830988618379069 * root * t1
-
-
-def up(k: Any, A: Any, a: Any, span: Any, L_2: Any, L_1: Any, M_2: Any, M_1: Any) -> tuple[Any, Any]:
-    """L_k and M_k from the two below each; span = A^2 - a^2.
-
-    Equation the mean of (3). Domain: k >= 1. Operations: 19. Error / u (1 + kappa): proved 14.01, -; measured 0.5.
-    """
-    t0 = 2.0 * k
-    t1 = k + 1.0
-    return (
-        (-L_1 * a * (t0 - 1.0) + L_2 * span) / (k * k),
-        (2.0 * A * L_1 - M_1 * a * (t0 + 1.0) + M_2 * span) / (t1 * t1),
-    )
-
-
-def down(k: Any, A: Any, a: Any, root: Any, L_1: Any, L_k: Any, M_1: Any, M_k: Any) -> tuple[Any, Any]:
-    """L_(k-2) and M_(k-2) from the two above each.
-
-    Equation the mean of (3). Domain: root > 0. Operations: 21. Error / u (1 + kappa): proved 14.01, -; measured
-    0.72.
-    """
-    t0 = 1.0 / (root * root)
-    t1 = 2.0 * k
-    t2 = k + 1.0
-    return t0 * (L_1 * a * (t1 - 1.0) + L_k * k * k), t0 * (-2.0 * A * L_1 + M_1 * a * (t1 + 1.0) + M_k * t2 * t2)
-
+#: what only the compiled solvers call, with its arguments; all else is said in generated/c/off_centre.h
+OF_SOLVERS = {
+    "ended_along": "A s_0 c_x c_y X Y",
+    "begin": "A a root angle",
+    "up": "k A a span L_2 L_1 M_2 M_1",
+    "down": "k A a root L_1 L_k M_1 M_k",
+}
+globals().update(from_c("off_centre", OF_SOLVERS))

@@ -27,7 +27,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from slowflow.support.backend import NATIVE, compiled
+from slowflow.support.backend import NATIVE, compiled, from_c
 from slowflow.support.broadcast import broadcast_outputs, floats
 
 if TYPE_CHECKING:
@@ -40,8 +40,8 @@ __all__ = [
 ]
 
 
-def _common_1(A, Omega, h, h_3, h_3_A, h_3_AA, h_5, h_5_A, h_5_AA, h_A, h_AA, m):
-    """What response, detachment, detachment_by_inertia have in common."""
+def _common_1(A, Omega, h, h_3, h_3_A, h_3_AA, h_5, h_5_A, h_5_AA, h_A, h_AA, m, zeta):
+    """What response, detachment have in common."""
     t0 = 1.0 / A
     Omega2 = Omega * Omega
     t1 = 1.0 / Omega2
@@ -113,43 +113,8 @@ def _common_1(A, Omega, h, h_3, h_3_A, h_3_AA, h_5, h_5_A, h_5_AA, h_A, h_AA, m)
     spring = a_3 * t25 + a_5 * t26 + h
     spring_A = a_3 * h_3_AA + a_3_A * t25 + a_5 * h_5_AA + a_5_A * t26 + h_A - h_AA * t16
     spring_Omega = a_3_Omega * t25 + a_5_Omega * t26
-    R_A = A_1_A * Omega2 - m * sine_A + spring_A
-    return (
-        a_3,
-        a_3_A,
-        a_3_Omega,
-        a_5,
-        a_5_A,
-        a_5_Omega,
-        A_1,
-        A_1_A,
-        A_1_Omega,
-        sine,
-        sine_Omega,
-        u_max,
-        u_max_A,
-        u_max_Omega,
-        spring,
-        spring_Omega,
-        R_A,
-    )
-
-
-def response(Omega: ArrayLike, A: ArrayLike, F_0: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike, h_A: ArrayLike, h_AA: ArrayLike, h_3: ArrayLike, h_3_A: ArrayLike, h_3_AA: ArrayLike, h_5: ArrayLike, h_5_A: ArrayLike, h_5_AA: ArrayLike) -> tuple[Any, Any, Any, Any, Any, Any, Any, Any, Any]:
-    """Largest displacement, A_1 and phase, R, F, and dF/dA, dF/dOmega, dR/dA, dR/dOmega.
-
-    Equation beyond (23). Domain: Omega > 0, A > 0, |h| < 9 A Omega^2. Operations: 254. Error / u (1 + kappa):
-    measured 1.3.
-    """
-    Omega, A, F_0, m, zeta, h, h_A, h_AA, h_3, h_3_A, h_3_AA, h_5, h_5_A, h_5_AA = floats(Omega, A, F_0, m, zeta, h, h_A, h_AA, h_3, h_3_A, h_3_AA, h_5, h_5_A, h_5_AA)
-    a_3, a_3_A, a_3_Omega, a_5, a_5_A, a_5_Omega, A_1, A_1_A, A_1_Omega, sine, sine_Omega, u_max, u_max_A, u_max_Omega, spring, spring_Omega, R_A = _common_1(
-        A, Omega, h, h_3, h_3_A, h_3_AA, h_5, h_5_A, h_5_AA, h_A, h_AA, m
-    )
-    Omega2 = Omega * Omega
-    t18 = 1.0 / A_1
-    t19 = m * t18
-    t22 = 1.0 / (A_1 * A_1)
     R = A_1 * Omega2 - m * sine + spring
+    R_A = A_1_A * Omega2 - m * sine_A + spring_A
     t27 = 2.0 * Omega
     R_Omega = A_1 * t27 + A_1_Omega * Omega2 - m * sine_Omega + spring_Omega
     t28 = m * u_max
@@ -162,6 +127,19 @@ def response(Omega: ArrayLike, A: ArrayLike, F_0: ArrayLike, m: ArrayLike, zeta:
     t34 = -t22 * t28 + t27 * zeta * (-t22 * t29 + 1.0)
     I_A = A_1_A * t34 + a_3_A * t32 + a_5_A * t33 + t19 * u_max_A
     I_Omega = A_1_Omega * t34 + a_3_Omega * t32 + a_5_Omega * t33 + t19 * u_max_Omega + 2.0 * t30
+    return A_1, u_max, u_max_A, u_max_Omega, R, R_A, R_Omega, I, I_A, I_Omega
+
+
+def response(Omega: ArrayLike, A: ArrayLike, F_0: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike, h_A: ArrayLike, h_AA: ArrayLike, h_3: ArrayLike, h_3_A: ArrayLike, h_3_AA: ArrayLike, h_5: ArrayLike, h_5_A: ArrayLike, h_5_AA: ArrayLike) -> tuple[Any, Any, Any, Any, Any, Any, Any, Any, Any]:
+    """Largest displacement, A_1 and phase, R, F, and dF/dA, dF/dOmega, dR/dA, dR/dOmega.
+
+    Equation beyond (23). Domain: Omega > 0, A > 0, |h| < 9 A Omega^2. Operations: 254. Error / u (1 + kappa):
+    measured 1.3.
+    """
+    Omega, A, F_0, m, zeta, h, h_A, h_AA, h_3, h_3_A, h_3_AA, h_5, h_5_A, h_5_AA = floats(Omega, A, F_0, m, zeta, h, h_A, h_AA, h_3, h_3_A, h_3_AA, h_5, h_5_A, h_5_AA)
+    A_1, u_max, u_max_A, u_max_Omega, R, R_A, R_Omega, I, I_A, I_Omega = _common_1(
+        A, Omega, h, h_3, h_3_A, h_3_AA, h_5, h_5_A, h_5_AA, h_A, h_AA, m, zeta
+    )
     t35 = -I
     t36 = 2.0 * I
     t37 = 2.0 * R
@@ -185,79 +163,15 @@ def detachment(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h:
     measured 1.6.
     """
     Omega, A, m, zeta, h, h_A, h_AA, h_3, h_3_A, h_3_AA, h_5, h_5_A, h_5_AA = floats(Omega, A, m, zeta, h, h_A, h_AA, h_3, h_3_A, h_3_AA, h_5, h_5_A, h_5_AA)
-    a_3, a_3_A, a_3_Omega, a_5, a_5_A, a_5_Omega, A_1, A_1_A, A_1_Omega, sine, sine_Omega, u_max, u_max_A, u_max_Omega, spring, spring_Omega, R_A = _common_1(
-        A, Omega, h, h_3, h_3_A, h_3_AA, h_5, h_5_A, h_5_AA, h_A, h_AA, m
+    A_1, u_max, u_max_A, u_max_Omega, R, R_A, R_Omega, I, I_A, I_Omega = _common_1(
+        A, Omega, h, h_3, h_3_A, h_3_AA, h_5, h_5_A, h_5_AA, h_A, h_AA, m, zeta
     )
-    Omega2 = Omega * Omega
-    t18 = 1.0 / A_1
-    t19 = m * t18
-    t22 = 1.0 / (A_1 * A_1)
-    R = A_1 * Omega2 - m * sine + spring
-    t27 = 2.0 * Omega
-    R_Omega = A_1 * t27 + A_1_Omega * Omega2 - m * sine_Omega + spring_Omega
-    t28 = m * u_max
-    t29 = 9.0 * a_3 * a_3 + 25.0 * a_5 * a_5
-    t30 = zeta * (A_1 + t18 * t29)
-    I = t18 * t28 + t27 * t30
-    t31 = Omega * t18 * zeta
-    t32 = 36.0 * a_3 * t31
-    t33 = 100.0 * a_5 * t31
-    t34 = -t22 * t28 + t27 * zeta * (-t22 * t29 + 1.0)
-    I_A = A_1_A * t34 + a_3_A * t32 + a_5_A * t33 + t19 * u_max_A
-    I_Omega = A_1_Omega * t34 + a_3_Omega * t32 + a_5_Omega * t33 + t19 * u_max_Omega + 2.0 * t30
     t35 = 2.0 * I
     t36 = 2.0 * R
     return broadcast_outputs((Omega, A, m, zeta, h, h_A, h_AA, h_3, h_3_A, h_3_AA, h_5, h_5_A, h_5_AA),
         np.hypot(R, I),
         u_max,
         u_max_A * (I_Omega * t35 + R_Omega * t36) - u_max_Omega * (I_A * t35 + R_A * t36),
-    )
-
-
-def detachment_by_inertia(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike, h_A: ArrayLike, h_AA: ArrayLike, h_3: ArrayLike, h_3_A: ArrayLike, h_3_AA: ArrayLike, h_5: ArrayLike, h_5_A: ArrayLike, h_5_AA: ArrayLike) -> tuple[Any, Any, Any]:
-    """The same of an excitation by inertia.
-
-    Equation beyond (23). Domain: Omega > 0, A > 0, |h| < 9 A Omega^2. Operations: 287. Error / u (1 + kappa):
-    measured 1.7.
-    """
-    Omega, A, m, zeta, h, h_A, h_AA, h_3, h_3_A, h_3_AA, h_5, h_5_A, h_5_AA = floats(Omega, A, m, zeta, h, h_A, h_AA, h_3, h_3_A, h_3_AA, h_5, h_5_A, h_5_AA)
-    a_3, a_3_A, a_3_Omega, a_5, a_5_A, a_5_Omega, A_1, A_1_A, A_1_Omega, sine, sine_Omega, u_max, u_max_A, u_max_Omega, spring, spring_Omega, R_A = _common_1(
-        A, Omega, h, h_3, h_3_A, h_3_AA, h_5, h_5_A, h_5_AA, h_A, h_AA, m
-    )
-    Omega2 = Omega * Omega
-    t1 = 1.0 / Omega2
-    Omega3 = Omega * Omega2
-    t18 = 1.0 / A_1
-    t19 = m * t18
-    t22 = 1.0 / (A_1 * A_1)
-    t27 = m * sine
-    R = A_1 * Omega2 + spring - t27
-    t28 = m * u_max
-    t29 = t18 * t28
-    t30 = a_3 * a_3
-    t31 = a_5 * a_5
-    t32 = 9.0 * t30 + 25.0 * t31
-    t33 = 2.0 * Omega * zeta
-    I = t29 + t33 * (A_1 + t18 * t32)
-    t34 = Omega * t18 * zeta
-    t35 = t22 * t28
-    I_A = (
-        A_1_A * (t33 * (-t22 * t32 + 1.0) - t35) + 36.0 * a_3 * a_3_A * t34 + 100.0 * a_5 * a_5_A * t34 + t19 *
-        u_max_A
-    )
-    t36 = 2.0 * I
-    t37 = 2.0 * R
-    t38 = 18.0 * t30
-    t39 = 50.0 * t31
-    t40 = A_1_Omega * Omega2 * t22 * zeta
-    return broadcast_outputs((Omega, A, m, zeta, h, h_A, h_AA, h_3, h_3_A, h_3_AA, h_5, h_5_A, h_5_AA),
-        t1 * np.hypot(R, I),
-        u_max,
-        -u_max_Omega * (I_A * t36 + R_A * t37) + u_max_A * (t36 * (-A_1 * t33 - A_1_Omega * Omega * t35 + 2.0 *
-        A_1_Omega * Omega2 * zeta + Omega * m * t18 * u_max_Omega + 36.0 * Omega2 * a_3 * a_3_Omega * t18 * zeta +
-        100.0 * Omega2 * a_5 * a_5_Omega * t18 * zeta - 2.0 * t29 - t34 * t38 - t34 * t39 - t38 * t40 - t39 * t40) +
-        t37 * (A_1_Omega * Omega3 - Omega * m * sine_Omega + Omega * spring_Omega - 2.0 * spring + 2.0 * t27)) /
-        Omega,
     )
 
 
@@ -552,3 +466,8 @@ def wave(turned: ArrayLike, Omega: ArrayLike, m: ArrayLike, A_1: ArrayLike, sine
 
 if NATIVE is not None:
     globals().update(compiled(globals(), NATIVE.second_approximation()))
+#: what only the compiled solvers call, with its arguments; all else is said in generated/c/second_approximation.h
+OF_SOLVERS = {
+    "detachment_by_inertia": "Omega A m zeta h h_A h_AA h_3 h_3_A h_3_AA h_5 h_5_A h_5_AA",
+}
+globals().update(from_c("second_approximation", OF_SOLVERS))

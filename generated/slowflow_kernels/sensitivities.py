@@ -5,9 +5,9 @@ Written by `make derive`; never edit.
 Input: none but the equation of motion in derivations/paper/averaging.py, derivations/paper/slow_flow.py, derivations/extensions/dissipation.py, derivations/extensions/inertia.py, derivations/systems/gradients.py
 Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
-Everything is dimensionless, for any kind of number that has arithmetic: floats, complex numbers, arrays, an integrator's
-symbols. Each output has the shape of the arguments that it depends on, broadcast. Each docstring gives equation number,
-domain and floating-point operations.
+Everything is dimensionless. Arguments broadcast; each output has their common shape, NumPy scalars for scalars, where
+arguments are of type ArrayLike, and the shape of those that it depends on where they may be any kind of number. Each
+docstring gives equation number, domain and floating-point operations, by regime where there are several.
 Rounding errors are in u (1 + kappa), u = 2^-53: proved ones hold wherever nothing overflows or underflows, measured
 ones are the worst of all outputs that was found, by a search for it with A 1e-09 to 1000, A_p 1e-09 to 1000 of
 either sign or 0, F_0 1e-09 to 1000, F_0_p 1e-09 to 1000 of either sign or 0, I_0 1e-12 to 1 or 0, I_0A 1e-09 to
@@ -35,6 +35,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from slowflow.support.backend import from_c
 
 __all__ = [
     "by_force", "by_inertia", "of_state", "right", "slopes",
@@ -191,59 +192,10 @@ def right(Omega: Any, A: Any, R: Any, I_0: Any, I_0A: Any, I_0AA: Any, zeta: Any
         end_p,
     )
 
-
-def of_state(Omega: Any, A: Any, I_0: Any, I_0A: Any, zeta: Any, zeta_A: Any, d: Any, d_3: Any, h: Any, h_A: Any, force: Any, force_Omega: Any, force_F: Any, h_p: Any, I_0p: Any, zeta_p: Any, d_p: Any, d_3p: Any, A_p: Any, Omega_p: Any, F_0_p: Any) -> tuple[Any, Any]:
-    """d/dp of the phase (25) and of the transmissibility of a state that moves by A_p, Omega_p, F_0_p.
-
-    Equation from (23)-(34). Domain: Omega > 0, A > 0. Operations: 79. Error / u (1 + kappa): measured 0.67.
-    """
-    Omega2 = Omega * Omega
-    t0 = A * Omega2
-    R = h + t0
-    t1 = 2.0 * Omega
-    t2 = A * t1
-    A2 = A * A
-    t3 = A2 * Omega2
-    A3 = A * A2
-    Omega3 = Omega * Omega2
-    t4 = A3 * Omega3
-    I = I_0 + d * t3 + d_3 * t4 + t2 * zeta
-    t5 = A_p * h_A + h_p
-    R_moved = A_p * Omega2 + Omega_p * t2 + t5
-    t6 = 3.0 * d_3
-    I_moved = (
-        2.0 * A * Omega_p * zeta + A2 * A_p * Omega3 * t6 + A2 * Omega_p * d * t1 + A3 * Omega2 * Omega_p * t6 + A_p
-        * I_0A + 2.0 * A_p * d * t0 + A_p * t1 * zeta + A_p * t2 * zeta_A + I_0p + d_3p * t4 + d_p * t3 + t2 *
-        zeta_p
-    )
-    t7 = 1.0 / force
-    t8 = np.hypot(h, I)
-    t9 = 1.0 / t8
-    return (
-        (-I * R_moved + I_moved * R) / (I * I + R * R),
-        t7 * (I * I_moved * t9 + h * t5 * t9 - t7 * t8 * (F_0_p * force_F + Omega_p * force_Omega)),
-    )
-
-
-def by_force(Omega: Any, F_0: Any) -> tuple[Any, Any, Any, Any, Any, Any, Any]:
-    """Force, its slopes by Omega and F_0; of its square S_Omega, S_OmegaOmega, S_F, S_FOmega: a force.
-
-    Equation (3). Domain: Omega >= 0. Operations: 1. Error / u (1 + kappa): proved 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-    0.0.
-    """
-    return F_0, 0.0, 1.0, 0.0, 0.0, 2.0 * F_0, 0.0
-
-
-def by_inertia(Omega: Any, F_0: Any) -> tuple[Any, Any, Any, Any, Any, Any, Any]:
-    """Force, its slopes by Omega and F_0; of its square S_Omega, S_OmegaOmega, S_F, S_FOmega: an excitation by inertia.
-
-    Equation beside (3). Domain: Omega >= 0. Operations: 14. Error / u (1 + kappa): proved 0.51, 0.34, 0.34, 0.67,
-    0.81, 0.67, 0.61.
-    """
-    Omega2 = Omega * Omega
-    t0 = 2.0 * F_0
-    t1 = F_0 * F_0
-    Omega3 = Omega * Omega2
-    Omega4 = Omega2 * Omega2
-    return F_0 * Omega2, Omega * t0, Omega2, 4.0 * Omega3 * t1, 12.0 * Omega2 * t1, Omega4 * t0, 8.0 * F_0 * Omega3
-
+#: what only the compiled solvers call, with its arguments; all else is said in generated/c/sensitivities.h
+OF_SOLVERS = {
+    "of_state": "Omega A I_0 I_0A zeta zeta_A d d_3 h h_A force force_Omega force_F h_p I_0p zeta_p d_p d_3p A_p Omega_p F_0_p",
+    "by_force": "Omega F_0",
+    "by_inertia": "Omega F_0",
+}
+globals().update(from_c("sensitivities", OF_SOLVERS))

@@ -26,7 +26,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from slowflow.support.backend import NATIVE, compiled
+from slowflow.support.backend import NATIVE, compiled, from_c
 from slowflow.support.broadcast import broadcast_outputs, common_shape, floats, full, number_by_regime, stacked
 
 if TYPE_CHECKING:
@@ -395,25 +395,6 @@ def fold(A: ArrayLike, F_0: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLi
     )
 
 
-def fold_square(Omega: ArrayLike, A: ArrayLike, lacks: ArrayLike) -> Any:
-    """Omega^2 beside a fold by the R of F = F_A = 0, from the Omega by I and what R lacks of agreeing (`fold`).
-
-    Equation from (23). Domain: A > 0. Operations: 3. Error / u (1 + kappa): proved 1.01.
-    """
-    Omega, A, lacks = floats(Omega, A, lacks)
-    return Omega * Omega - lacks / A
-
-
-def fold_moves(A: ArrayLike, k: ArrayLike, R: ArrayLike) -> tuple[Any, Any]:
-    """What F and F_A change by beside a fold, per what vanishes there (`fold`), at its A, Omega and I.
-
-    Equation from (24), (30). Domain: A > 0. Operations: 4. Error / u (1 + kappa): proved 0.0, 3.01.
-    """
-    A, k, R = floats(A, k, R)
-    t0 = 2.0 * R
-    return broadcast_outputs((A, k, R), t0, -2.0 * (k - t0) / A)
-
-
 def isola_Omega(h_A: ArrayLike) -> Any:
     """Omega at an isola point.
 
@@ -421,16 +402,6 @@ def isola_Omega(h_A: ArrayLike) -> Any:
     """
     (h_A,) = floats(h_A)
     return np.sqrt(h_A)
-
-
-def isola_level(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike) -> Any:
-    """The forcing at an isola point: of R from h rounding leaves nothing where damping is weak.
-
-    Equation from (24), (30). Domain: Omega > 0. Operations: 7. Error / u (1 + kappa): measured 0.97.
-    """
-    Omega, A, m, zeta = floats(Omega, A, m, zeta)
-    I = 2.0 * A * Omega * zeta + m
-    return np.hypot(I, -I * zeta / Omega)
 
 
 def isola(A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike, h_A: ArrayLike, h_AA: ArrayLike) -> tuple[Any, Any]:
@@ -496,19 +467,6 @@ def cusp(A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h_AA: ArrayLike, h_AAA: Ar
     )
 
 
-def cusp_balance(A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike, k: ArrayLike, X: ArrayLike, T: ArrayLike) -> tuple[Any, Any]:
-    """Omega^2 and F_0^2 at a cusp with R from F_A = 0, by an X = Omega^2 that is nearly right, and T (`cusps`).
-
-    Equation from (30). Domain: A > 0, X > 0, T not 0. Operations: 14. Error / u (1 + kappa): measured 0.98.
-    """
-    A, m, zeta, h, k, X, T = floats(A, m, zeta, h, k, X, T)
-    w = np.sqrt(X)
-    t0 = 2.0 * w * zeta
-    t1 = A * t0
-    R = t0 * (-m - t1) / T
-    return broadcast_outputs((A, m, zeta, h, k, X, T), (R - h) / A, R * k + m * m + m * t1)
-
-
 def turn(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h_AA: ArrayLike, k: ArrayLike) -> tuple[Any, Any]:
     """F_A/2 where F_AOmega = 0, an extremum of F_A over Omega, and its slope along A.
 
@@ -541,17 +499,6 @@ def peak(Omega: ArrayLike, A: ArrayLike, F_0: ArrayLike, m: ArrayLike, zeta: Arr
         R * R + (-F_0 + I) * (F_0 + I),
         -2.0 * R * (Omega * Omega - h_A),
     )
-
-
-def peak_Omega_A(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h_A: ArrayLike) -> Any:
-    """dOmega/dA along F_Omega = 0: what a rounding of A does to Omega at a peak.
-
-    Equation from (34). Domain: Omega > 0, A > 0. Operations: 12. Error / u (1 + kappa): measured 1.6.
-    """
-    Omega, A, m, zeta, h_A = floats(Omega, A, m, zeta, h_A)
-    Omega2 = Omega * Omega
-    Omega3 = Omega * Omega2
-    return Omega2 * (Omega2 + h_A + 2.0 * zeta * zeta) / (-2.0 * A * Omega3 + m * zeta)
 
 
 def mean_stiffness(A: ArrayLike, h: ArrayLike, h_A: ArrayLike) -> Any:
@@ -662,32 +609,16 @@ def isola_bend(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h_
     )
 
 
-def isola_hessian(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h_AA: ArrayLike) -> Any:
-    """F_AA F_OmegaOmega - F_AOmega^2 at an isola point: negative at a saddle.
-
-    Equation from (24), (30). Domain: Omega > 0, A > 0. Operations: 24. Error / u (1 + kappa): proved 14.01.
-    """
-    Omega, A, m, zeta, h_AA = floats(Omega, A, m, zeta, h_AA)
-    t0 = 2.0 * A
-    Omega2 = Omega * Omega
-    Omega3 = Omega * Omega2
-    Omega4 = Omega2 * Omega2
-    Omega5 = Omega * Omega4
-    return (
-        8.0 * A * zeta * (Omega * t0 * zeta + m) * (-Omega3 * h_AA * t0 - 4.0 * Omega3 * zeta * zeta - 4.0 * Omega5
-        + h_AA * m * zeta) / Omega2
-    )
-
-
-def tail(Omega: ArrayLike, F_0: ArrayLike, m: ArrayLike) -> Any:
-    """An amplitude of the size of that far above resonance.
-
-    Equation from (24). Domain: Omega > 0, F_0 >= m. Operations: 7. Error / u (1 + kappa): measured 1.7.
-    """
-    Omega, F_0, m = floats(Omega, F_0, m)
-    square = (F_0 - m) * (F_0 + m)
-    return np.sqrt(square) / (Omega * Omega + 1.0)
-
-
 if NATIVE is not None:
     globals().update(compiled(globals(), NATIVE.slow_flow()))
+#: what only the compiled solvers call, with its arguments; all else is said in generated/c/slow_flow.h
+OF_SOLVERS = {
+    "fold_square": "Omega A lacks",
+    "fold_moves": "A k R",
+    "isola_level": "Omega A m zeta",
+    "cusp_balance": "A m zeta h k X T",
+    "peak_Omega_A": "Omega A m zeta h_A",
+    "isola_hessian": "Omega A m zeta h_AA",
+    "tail": "Omega F_0 m",
+}
+globals().update(from_c("slow_flow", OF_SOLVERS))

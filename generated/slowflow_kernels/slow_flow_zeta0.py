@@ -28,7 +28,7 @@ from slowflow_kernels.slow_flow import (
     F_A, F_AA, F, F_AOmega, F_Omega, I, R, backbone, equivalent_damping, fold_quartic, level, peak_cubic, phase,
     response_quartic, stability,
 )
-from slowflow.support.backend import NATIVE, compiled
+from slowflow.support.backend import NATIVE, compiled, from_c
 from slowflow.support.broadcast import broadcast_outputs, common_shape, floats, full, stacked
 
 if TYPE_CHECKING:
@@ -86,15 +86,6 @@ def fold(F_0: ArrayLike, m: ArrayLike, k: ArrayLike, k_A: ArrayLike) -> tuple[An
     return broadcast_outputs((F_0, m, k, k_A), (k - least) * (k + least), 2.0 * k * k_A)
 
 
-def undamped_level(m: ArrayLike, k: ArrayLike) -> Any:
-    """The forcing of a fold, whose R is k.
-
-    Equation from (24), (30). Domain: h_A <= 0. Operations: 4. Error / u (1 + kappa): measured 0.99.
-    """
-    m, k = floats(m, k)
-    return np.sqrt(k * k + m * m)
-
-
 def undamped_rises(h_AA: ArrayLike, h_AAA: ArrayLike, k: ArrayLike) -> tuple[Any, Any]:
     """The sign of the level's slope along A on the undamped folds; and, where that is 0, of the slope's own.
 
@@ -115,3 +106,8 @@ def undamped(A: ArrayLike, h: ArrayLike, h_A: ArrayLike, h_AA: ArrayLike, h_AAA:
 
 if NATIVE is not None:
     globals().update(compiled(globals(), NATIVE.slow_flow_zeta0()))
+#: what only the compiled solvers call, with its arguments; all else is said in generated/c/slow_flow_zeta0.h
+OF_SOLVERS = {
+    "undamped_level": "m k",
+}
+globals().update(from_c("slow_flow_zeta0", OF_SOLVERS))

@@ -27,7 +27,7 @@ from derivations.codegen.arctangent import series
 from slowflow.core.backend import SOLVER as roots
 from slowflow.example import DESIGN
 from slowflow.support import backend as support
-from slowflow_kernels import MODULES, rod_spring, slow_flow
+from slowflow_kernels import MODULES, dissipation, rod_spring, slow_flow
 from tests import backends
 from tests.native import clones
 from tests.native.compiler import NATIVE
@@ -75,11 +75,12 @@ def arguments(function, seed: int, size: int = 3001) -> dict[str, np.ndarray]:
 
 
 def kernels_of(module) -> list[str]:
-    """Names of a module's functions, without those for any kind of number and those of gradients: never compiled."""
+    """Names of a module's functions with text in Python, but those for any kind of number and those of gradients."""
     if module.__name__.rpartition(".")[2] in GENERIC:
         return []
     record = getattr(module, "MECHANISM", None)
     apart = {function.__name__ for law in record.pieces for function in law[:2]} | {"steps"} if record else set()
+    apart |= {*getattr(module, "OF_SOLVERS", ())}
     names = [name for name in module.__all__ if callable(getattr(module, name)) and name not in apart]
     return [name for name in names if not is_of_gradients(name)]
 
@@ -167,6 +168,8 @@ def test_kernels_keep_their_names_arguments_and_words():
         slow_flow.detachment(0.3, h=-0.2, m=0.01, zeta=0.02), slow_flow.detachment(0.3, 0.01, 0.02, -0.2)
     )
     assert pickle.loads(pickle.dumps(slow_flow.F)) is slow_flow.F
+    assert pickle.loads(pickle.dumps(dissipation.F_A_halved)) is dissipation.F_A_halved
+    assert dissipation.F_A_halved(R=1, R_A=2, I=3, I_A=4) == dissipation.F_A_halved(1, 2, 3, 4) == 14
     with pytest.raises(TypeError, match="missing 1 required positional argument: 'A'"):
         slow_flow.R(0.9, h=-0.2)
     with pytest.raises(TypeError, match="multiple values for argument 'Omega'"):

@@ -2,7 +2,6 @@
 
 backend    the compiled kernels, in the place of NumPy's
 broadcast  arguments as floats, one shape for all outputs, regimes by mask
-twofold    sums and products with their rounding errors
 errors     the errors raised on purpose
 record     what a mechanism says of itself: `Mechanism`, `Parameter`
 """

@@ -8,6 +8,7 @@ from __future__ import annotations
 import functools
 import importlib
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from inspect import Parameter, Signature
 from types import ModuleType
 from typing import Any
 
@@ -35,6 +36,7 @@ NOT_BUILT = (
 )
 #: tests leave it out, to compare with the kernels as NumPy has them
 NATIVE: ModuleType | None = loaded(EXTENSION)
+_BY_NAME = Parameter.POSITIONAL_OR_KEYWORD
 
 
 def compiled(module: Mapping[str, Any], ufuncs: Sequence[np.ufunc]) -> dict[str, Callable[..., Any]]:
@@ -42,8 +44,10 @@ def compiled(module: Mapping[str, Any], ufuncs: Sequence[np.ufunc]) -> dict[str,
     forms = {"Floats": coefficients_of, "tuple[Any]": in_tuple}
     found = {}
     for ufunc in ufuncs:
-        kernel = module[ufunc.__name__]
-        called = _called(kernel, ufunc)
+        if (kernel := module.get(ufunc.__name__)) is None:  # by `from_c`
+            continue
+        names = kernel.__code__.co_varnames[: kernel.__code__.co_argcount]
+        called = functools.wraps(kernel)(_called(names, ufunc))
         form = forms.get(kernel.__annotations__["return"])
         found[ufunc.__name__] = form(called) if form else called
     return found
@@ -70,17 +74,31 @@ def in_tuple(kernel: Callable[..., Any]) -> Callable[..., tuple[Any]]:
     return one
 
 
-def _called(kernel: Callable[..., Any], ufunc: np.ufunc) -> Callable[..., Any]:
-    """A ufunc, which takes positional arguments only, with the kernel's keywords."""
-    names = kernel.__code__.co_varnames[: kernel.__code__.co_argcount]
+def from_c(module: str, names: Mapping[str, str]) -> dict[str, Callable[..., Any]]:
+    """The kernels of a generated module that have no text in Python: by name, with the names of their arguments."""
+    ufuncs = {ufunc.__name__: ufunc for ufunc in getattr(loaded(EXTENSION), module)()}
+    found = {}
+    for kernel, arguments in names.items():
+        found[kernel] = called = _called(arguments.split(), ufuncs[kernel])
+        called.__module__, called.__name__, called.__qualname__ = f"slowflow_kernels.{module}", kernel, kernel
+        called.__doc__ = f"Called by the compiled solvers; generated/c/{module}.h documents it."
+        results = ["Any"] * ufuncs[kernel].nout
+        returns = f"tuple[{', '.join(results)}]" if len(results) > 1 else "Any"
+        called.__annotations__ = dict.fromkeys(arguments.split(), "ArrayLike") | {"return": returns}
+        of_type = [Parameter(name, _BY_NAME, annotation="ArrayLike") for name in arguments.split()]
+        called.__signature__ = Signature(of_type, return_annotation=returns)  # type: ignore[attr-defined]
+    return found
 
-    @functools.wraps(kernel)
+
+def _called(names: Sequence[str], ufunc: np.ufunc) -> Callable[..., Any]:
+    """A ufunc, which takes positional arguments only, with a kernel's keywords."""
+
     def called(*arguments: Any, **named: Any) -> Any:
         if named:
             # what is no argument of the kernel is NumPy's: out, where, ...
             by_name = {name: named.pop(name) for name in names if name in named}
             if by_name:
-                arguments = (*arguments, *_in_order(kernel.__name__, names[len(arguments) :], by_name))
+                arguments = (*arguments, *_in_order(ufunc.__name__, names[len(arguments) :], by_name))
         return ufunc(*arguments, **named)
 
     return called

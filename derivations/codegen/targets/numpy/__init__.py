@@ -17,7 +17,7 @@ from ....mechanisms import DAMPING, DISSIPATION, EXCITATIONS, RUBS, Parameter
 from ....paper.slow_flow import SCENES
 from ... import measured
 from ...common import with_calls
-from ...form import AVERAGED, GENERAL, Composition, Kernel, Module, Selection, TwofoldKernel, suffix
+from ...form import AVERAGED, GENERAL, Composition, Kernel, Module, Selection, suffix
 from ...prose import in_python
 from ...views import (
     WIDTH,
@@ -29,7 +29,6 @@ from ...views import (
     repeated_views,
     tables,
     templates,
-    twofold_view,
     view,
     wrapped,
 )
@@ -80,14 +79,14 @@ def contained(module: Module) -> tuple[Kernel, ...]:
 
 
 def printed(module: Module) -> tuple[Kernel, ...]:
-    """The kernels but those that C alone sums and closes."""
+    """The kernels but those that C alone sums and closes, or calls."""
     summed = {kernel.name for one in module.sums for kernel in (*one.terms, one.closing)}
-    return tuple(kernel for kernel in module.kernels if kernel.name not in summed)
+    return tuple(kernel for kernel in module.kernels if kernel.in_python and kernel.name not in summed)
 
 
 def text(module: Module, code: Code) -> str:
     """One module."""
-    named = (*printed(module), *module.twofolds, *module.selections, *module.compositions)
+    named = (*printed(module), *module.selections, *module.compositions)
     calls = with_calls(printed(module), code, PRINTER)
     views = [view(kernel, code[kernel.name], PRINTER, calls[kernel.name]) for kernel in printed(module)]
     return (
@@ -98,7 +97,6 @@ def text(module: Module, code: Code) -> str:
             kernels=views,
             tables=tables(views),
             repeated=repeated_views(code | calls, PRINTER),
-            twofolds=[twofold_view(kernel, PRINTER) for kernel in module.twofolds],
             compositions=[composition_view(composition, CALLS) for composition in module.compositions],
             exported=exported(module),
             typed={one.name: signature(one) for one in named},
@@ -108,33 +106,30 @@ def text(module: Module, code: Code) -> str:
             enclosed=[view(kernel, code[kernel.name], ENCLOSED) for kernel in module.on_intervals],
             has_balls=module.native and bool(module.in_balls),
             constants={name: constant(value) for name, value in module.constants.items()},
-            compiled=module.native and bool(module.looped),
+            compiled=module.native and any(one not in module.of_solvers for one in module.looped),
             heading=heading(module),
         )
     )
 
 
-def signature(function: Kernel | TwofoldKernel | Selection | Composition) -> str:
+def signature(function: Kernel | Selection | Composition) -> str:
     """What stands behind its name: arguments and result with their types, for type checkers and editors."""
     return f"({taken(function)}) -> {returned(function)}"
 
 
-def taken(function: Kernel | TwofoldKernel | Selection | Composition) -> str:
+def taken(function: Kernel | Selection | Composition) -> str:
     """Its arguments with what they may be: generic ones take any kind of number."""
     what = "ArrayLike" if getattr(function, "looped", True) and not getattr(function, "generic", False) else "Any"
     return ", ".join(f"{argument.name}: {what}" for argument in function.arguments)
 
 
-def returned(function: Kernel | TwofoldKernel | Selection | Composition) -> str:
+def returned(function: Kernel | Selection | Composition) -> str:
     """What it returns."""
-    if isinstance(function, TwofoldKernel):
-        shown = twofold_view(function, PRINTER)
-        width, scalar = len(shown["outputs"]), bool(shown["distilled"]) or len(shown["outputs"]) == 1
-    else:
-        width, scalar = function.width, function.returns == "scalar"
     if function.returns == "stack":
         return "Floats"
-    return "Any" if scalar else f"tuple[{', '.join(['Any'] * width) or '()'}]"
+    if function.returns == "scalar":
+        return "Any"
+    return f"tuple[{', '.join(['Any'] * function.width) or '()'}]"
 
 
 def _environment() -> jinja2.Environment:
@@ -156,7 +151,7 @@ def exported(module: Module) -> list[str]:
     """Public names of a Python module, sorted as in an import."""
     own = [
         *module.constants,
-        *(one.name for one in (*printed(module), *module.twofolds, *module.selections, *module.compositions)),
+        *(one.name for one in (*printed(module), *module.of_solvers, *module.selections, *module.compositions)),
         *(name for names in module.borrowed.values() for name in names),
         *(["MECHANISM"] if module.record else []),
     ]

@@ -12,7 +12,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
-from ...form import Called, Composition, Kernel, Module, Selection
+from ...form import Called, Composition, Kernel, Module, Selection, TwofoldKernel
 from ...provenance import tools
 from ...views import composition_view, templates
 from ..c import calls
@@ -96,11 +96,14 @@ def elements(function: Called) -> list[str]:
     return [*own, *([f"(const double[]){{{', '.join(parameters)}}}"] if parameters else [])]
 
 
-def of(one: Kernel | Selection | Composition, module: Module) -> Ufunc:
+def of(one: Kernel | TwofoldKernel | Selection | Composition, module: Module) -> Ufunc:
     """Anything that is compiled as a ufunc: its regimes are those of the kernel that it is or calls."""
     inputs = len(one.arguments)
     prefix = f"{module.name}_{one.name}"
-    if isinstance(one, Kernel):
+    if isinstance(one, TwofoldKernel):
+        macro = ["SF_SCALAR"] if one.width == 1 else ["SF_TUPLE", str(one.width)]
+        called, loop = None, [*macro, prefix, *map(element, range(inputs))]
+    elif isinstance(one, Kernel):
         called, loop = one, of_kernel(one, module)
     elif isinstance(one, Selection):
         called, loop = one.source, of_selection(one, module)
