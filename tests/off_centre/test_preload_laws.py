@@ -11,6 +11,7 @@ import sympy as sp
 from slowflow import Duffing, derive
 from slowflow.answers.results import Remark
 from tests.oracles.by_time import largest
+from tests.oracles.by_work import assert_complete, balances, force_of
 
 u, k, c, gap = sp.symbols("u k c gap")
 ABOVE_0 = {"above": 0}
@@ -52,21 +53,6 @@ def oscillator(springs, request):
     return springs[spring](**NUMBERS[spring], **LAWS[law])
 
 
-def balance(one, Omega, A, F_0):
-    """F of (24) by the work over a cycle: closed forms of the force and of each law, typed here."""
-    p = one.given
-    h = -4 * p["c"] / math.pi - A
-    if "gap" in p:
-        angle = np.arccos(np.minimum(p["gap"] / A, 1.0))
-        h = h - p["k"] * 2 * A / math.pi * (angle - np.sin(angle) * np.cos(angle))
-    else:
-        h = h - 0.75 * p["k"] * A**3
-    way = np.minimum(A, p["gap"]) if one.rubs == "attached" else A
-    work = 4 * p["mu"] * way + math.pi * (one.eta + 2 * p["zeta"] * Omega) * A**2 + 8 / 3 * one.c_2 * Omega**2 * A**3
-    force = F_0 * Omega**2 if one.model.inertial else F_0
-    return (A * Omega**2 + h) ** 2 + (work / (math.pi * A)) ** 2 - force**2
-
-
 def forcings(one):
     """Below and above what holds a mass at rest; of inertia a weak and a strong one."""
     if one.model.inertial:
@@ -76,37 +62,9 @@ def forcings(one):
 
 @pytest.mark.slow
 @pytest.mark.part(3)
-def test_no_state_is_missed_or_made_up(oscillator):
-    A, frequencies = np.geomspace(1e-7, 20, 20001), [0.5, 0.9, 1.05, 1.3, 2.5]
+def test_no_state_or_fold_is_missed_or_made_up(oscillator):
     for F_0 in forcings(oscillator):
-        found = oscillator.amplitudes(Omega=frequencies, F_0=F_0)
-        assert Remark.UNDECIDED not in found.remarks
-        for Omega in frequencies:
-            F = balance(oscillator, Omega, A, F_0)
-            change = np.flatnonzero((F[1:] < 0) != (F[:-1] < 0))
-            here = (found.Omega == Omega) & (found.A > 0)  # beside a mass that is held at rest
-            np.testing.assert_allclose(found.A[here], A[change], rtol=2e-3)
-            # stable where F passes 0 upwards (30)
-            assert found.stable[here].tolist() == (F[change + 1] > 0).tolist()
-
-
-@pytest.mark.slow
-@pytest.mark.part(3)
-def test_folds_are_where_the_number_of_states_changes(oscillator):
-    A, grid = np.geomspace(1e-6, 20, 4001), np.linspace(0.3, 4.0, 371)
-    for F_0 in forcings(oscillator):
-        folds = oscillator.saddle_nodes(F_0)
-        for Omega, at in zip(folds.Omega, folds.A, strict=True):
-            scale = (F_0 * Omega**2 if oscillator.model.inertial else F_0) ** 2
-            F, nearby = (balance(oscillator, Omega, at * one, F_0) for one in (1.0, np.array([1 - 1e-6, 1 + 1e-6])))
-            assert abs(F) < 1e-9 * scale
-            # of one sign on both sides of a fold
-            assert nearby[0] * nearby[1] > 0
-        signs = [balance(oscillator, Omega, A, F_0) < 0 for Omega in grid]
-        counts = np.array([np.count_nonzero(one[1:] != one[:-1]) for one in signs])
-        turns = np.flatnonzero(np.abs(np.diff(counts)) == 2)
-        within = folds.Omega[(folds.Omega > grid[0]) & (folds.Omega < grid[-1])]
-        assert all(((grid[i] <= within) & (within <= grid[i + 1])).any() for i in turns)
+        assert_complete(oscillator, F_0)
 
 
 @pytest.mark.slow
@@ -127,8 +85,8 @@ def test_onset_is_where_two_folds_come_or_they_end_at_rest(oscillator):
 def test_a_curve_has_states_of_its_own_frequencies(oscillator):
     F_0 = forcings(oscillator)[1]
     curve = oscillator.frequency_response(F_0, samples=40, Omega=(0.3, 3.0))
-    scale = (F_0 * curve.Omega**2 if oscillator.model.inertial else F_0) ** 2
-    assert np.abs(balance(oscillator, curve.Omega, curve.A, F_0) / scale).max() < 1e-9
+    level = np.hypot(*balances(oscillator, curve.Omega, curve.A))
+    np.testing.assert_allclose(level, force_of(oscillator, curve.Omega, F_0), rtol=5e-10)
     peak = oscillator.peak(F_0)
     if peak.A is not None:
         assert peak.A >= curve.A.max() * (1 - 1e-12)

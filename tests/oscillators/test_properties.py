@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import itertools
 import math
 from typing import NamedTuple
 
@@ -84,19 +83,6 @@ def test_units_of_length_and_time_are_free(numbers, F_0, Omega, p, q):
         zeta=numbers["zeta"] * c,
     )
     scaled_alike(Duffing(**numbers), other, s, c, F_0, Omega)
-
-
-@drawn
-@given(duffings, st.floats(0.02, 1.0))
-def test_the_number_of_states_changes_by_two_at_each_fold(numbers, F_0):
-    oscillator = Duffing(**numbers)
-    folds = oscillator.saddle_nodes(F_0)
-    ends = [0.0, *folds.Omega.tolist(), 2 * max(folds.Omega, default=1.0)]
-    if min(np.diff(ends)) < 1e-6:  # no room between two of them
-        return
-    between = [0.5 * (a + b) for a, b in itertools.pairwise(ends)]
-    counts = [len(oscillator.amplitudes(Omega=Omega, F_0=F_0)) for Omega in between]
-    assert all(abs(a - b) == 2 for a, b in itertools.pairwise(counts))
 
 
 @settings(drawn, max_examples=20)
