@@ -54,7 +54,7 @@ _x = sp.Dummy("x", real=True)
 _k_v, _L = sp.Dummy("k_v", positive=True), sp.Dummy("L", positive=True)
 _above = sp.Symbol("above", positive=True)
 #: what a parameter may not be called: it has that meaning already
-TAKEN = {"u", "A", "Omega", "out", "rubs", "load", "excitation"}
+TAKEN = {"u", "A", "Omega", "out", "contact", "load", "excitation"}
 TAKEN |= {one.symbol.name for one in (*DAMPING, *DISSIPATION, FORCING)}
 #: words of C11 that are names in Python: the printed C would not compile
 WORDS_OF_C = frozenset(

@@ -11,7 +11,7 @@ import numpy as np
 from hypothesis import strategies as st
 
 from slowflow.grid.many import Designs
-from slowflow.off_centre.many import OffCentreDesigns
+from slowflow.grid.offset import OffCentreDesigns
 from slowflow.off_centre.questions import OffCentre
 from slowflow.oscillators.isolator import Isolator
 from slowflow.oscillators.physical import Physical
@@ -46,7 +46,7 @@ anything = mostly(usual)
 #: a word that a name may take, or none it may
 FORCES = mostly(st.sampled_from([None, "truncated", "untruncated"]), st.just("exact"))
 EXCITATIONS = st.sampled_from(["force", "base", "unbalance", "acceleration of the base", 1.0])
-RUBS = st.sampled_from(["throughout", "attached", "nowhere"])
+CONTACTS = st.sampled_from(["throughout", "attached", "nowhere"])
 
 
 DAMPING = {
@@ -65,7 +65,7 @@ DESIGN["delta_h"] = mostly(st.floats(0, 0.6))
 ISOLATORS = DESIGN | DAMPING | SETTINGS | STATIC
 ISOLATORS |= {
     "force": mostly(st.sampled_from(["truncated", "untruncated"]), st.just("exact")),
-    "rubs": seldom("throughout", RUBS),
+    "contact": seldom("throughout", CONTACTS),
 }
 DUFFINGS = {"alpha": mostly(st.floats(-0.5, 2)), "beta": mostly(st.floats(-1, 3)), **DAMPING, **SETTINGS, **STATIC}
 #: a data sheet in SI units
@@ -82,7 +82,7 @@ SHEETS = {
     "c": seldom(None, anything),
     "eta": seldom(0.0, anything),
     "c_2": seldom(0.0, anything),
-    "rubs": seldom("throughout", RUBS),
+    "contact": seldom("throughout", CONTACTS),
     "load": seldom(None, anything),
     "force": seldom("truncated", st.just("untruncated")),
     "excitation": seldom("force", EXCITATIONS),
@@ -91,7 +91,7 @@ SHEETS = {
 columns = mostly(st.lists(numbers, min_size=3, max_size=3), st.lists(numbers, max_size=4) | anything, among=5)
 BATCHES = {name: columns for name in ("lam", "r", "delta_h", "mu", "zeta")}
 BATCHES |= {name: seldom(0.0, columns) for name in ("eta", "c_2", "load")}
-BATCHES |= {"rubs": seldom("throughout", RUBS), "excitation": DAMPING["excitation"]}
+BATCHES |= {"contact": seldom("throughout", CONTACTS), "excitation": DAMPING["excitation"]}
 BATCHES["force"] = mostly(st.sampled_from(["truncated", "untruncated"]), st.just("exact"))
 
 other_windows = st.tuples(numbers, numbers) | st.sampled_from([None, (1.0,), (2.0, 1.0)])
@@ -211,7 +211,7 @@ OF_MOUNTS |= {name: query(f=columns, F=columns) for name in ("amplitudes", "spec
 OF_MOUNTS["frequency_response"] = query(columns, samples=st.sampled_from([5, 1]), f=st.just((0.5, 1.5)) | windows)
 OF_MOUNTS |= {"certify": query(columns, f=st.none() | columns), "at_rest": query(), "rest": query()}
 OF_MOUNTS["random"] = query(psd=spectra, unit=mostly(st.just("g^2/Hz"), st.just("V^2/Hz")))
-OF_LOADED_BATCHES = {**MANY, "rest": query()}
+OF_LOADED_BATCHES = {**MANY, "rest": query(), "random": OF_BATCHES["random"]}
 OF_SECOND_BATCHES = {name: MANY[name] for name in ("saddle_node_onset", "detachment", "peak", "saddle_nodes")}
 OF_SECOND_BATCHES |= {name: MANY[name] for name in ("amplitudes", "frequency_response")}
 

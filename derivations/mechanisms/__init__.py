@@ -2,7 +2,7 @@
 
 In:  the files of this folder.
 Out: `Mechanism`, the form in which a restoring force is stated, `Parameter`, the form of a number that a user gives,
-     `DAMPING` and `FORCING`, those that every oscillator has, `DISSIPATION` and `RUBS`, what may dissipate beside,
+     `DAMPING` and `FORCING`, those that every oscillator has, `DISSIPATION` and `CONTACTS`, what may dissipate beside,
      `EXCITATIONS`, what else the forcing may be of, and `all_mechanisms()`, every one in this folder.
 """
 
@@ -55,7 +55,7 @@ DISSIPATION = (
     Parameter(c_3, "cubic damping, the factor of u'^3", "sqrt(m^3/k_v)/L^2", least=0),
     Parameter(zeta_2, "growth of the viscous damping ratio with u^2", "2 sqrt(k_v m)/L^2", least=0),
 )
-RUBS = {
+CONTACTS = {
     "throughout": "dry friction acts at every displacement",
     "attached": "it acts while |u| is below the first breakpoint",
 }

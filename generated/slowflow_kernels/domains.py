@@ -18,7 +18,7 @@ DISSIPATION = (
     Parameter("c_3", "cubic damping, the factor of u'^3", "sqrt(m^3/k_v)/L^2", least=0.0),
     Parameter("zeta_2", "growth of the viscous damping ratio with u^2", "2 sqrt(k_v m)/L^2", least=0.0),
 )
-RUBS = {
+CONTACTS = {
     "throughout": "dry friction acts at every displacement",
     "attached": "it acts while |u| is below the first breakpoint",
 }

@@ -61,13 +61,13 @@ class Stated:
     def __init__(self, record: Mechanism) -> None:
         self.record = record
 
-    def __call__(self, *, excitation: str = "force", rubs: str = THROUGHOUT, **numbers: float) -> Oscillator:
+    def __call__(self, *, excitation: str = "force", contact: str = THROUGHOUT, **numbers: float) -> Oscillator:
         """Make an oscillator from its parameters, damping included, as `Oscillator(record, ...)` does."""
-        return Oscillator(self.record, excitation=excitation, rubs=rubs, **numbers)
+        return Oscillator(self.record, excitation=excitation, contact=contact, **numbers)
 
-    def many(self, *, excitation: str = "force", rubs: str = THROUGHOUT, **numbers: Any) -> Any:
+    def many(self, *, excitation: str = "force", contact: str = THROUGHOUT, **numbers: Any) -> Any:
         """Make a batch of designs, as `Oscillator.many(record, ...)` does."""
-        return Oscillator.many(self.record, excitation=excitation, rubs=rubs, **numbers)
+        return Oscillator.many(self.record, excitation=excitation, contact=contact, **numbers)
 
     def _described(self, how: str) -> str:
         return f"{self.record.title}: {', '.join((*self.record.design_names, 'mu', 'zeta'))}; {how}"

@@ -535,12 +535,13 @@ def test_shock_is_peaks_by_durations_or_a_record(scene, tmp_path, capsys):
 
 def test_laws_of_damping_are_keys_of_every_table(scene, capsys):
     text = (
-        MOUNT.partition("[ask]")[0] + 'eta = 0.02\nc_2 = 30.0\nrubs = "attached"\n[ask]\nquestions = ["detachment"]\n'
+        MOUNT.partition("[ask]")[0]
+        + 'eta = 0.02\nc_2 = 30.0\ncontact = "attached"\n[ask]\nquestions = ["detachment"]\n'
     )
     mount = scenes.read(scene(text)).oscillator
-    assert mount.given["c_2"] == 30.0 and mount.oscillator.rubs == "attached"
+    assert mount.given["c_2"] == 30.0 and mount.oscillator.contact == "attached"
     for table, parameters, same in (
-        ("isolator", {"lam": 3, "r": 0.5, "delta_h": 0.02}, {"zeta": 0.03, "eta": 0.01, "rubs": "attached"}),
+        ("isolator", {"lam": 3, "r": 0.5, "delta_h": 0.02}, {"zeta": 0.03, "eta": 0.01, "contact": "attached"}),
         ("duffing", {"alpha": 1.0, "beta": 0.5}, {"eta": 0.05, "c_2": 0.2}),
     ):
         lines = "\n".join(f"{name} = {value!r}" for name, value in (parameters | same).items())

@@ -92,7 +92,7 @@ def of_record(case: Case, **more: Any) -> Any:
     """Of an isolator's or a Duffing oscillator's."""
     if case["mechanism"] == "duffing":
         return Duffing(**numbers(case), **more)
-    return Isolator(**numbers(case), rubs=case.get("rubs", "throughout"), **more)
+    return Isolator(**numbers(case), contact=case.get("contact", "throughout"), **more)
 
 
 def on_a_base(case: Case, _: bool) -> Any:
@@ -139,7 +139,7 @@ FAMILIES = {
     "closed": Family(of_closed, onset=16.0, phase=4.0, derived=True, corners=False, by_A=True),
     **{
         f"damped_{law}": Family(lambda case, _: of_record(case), 2.0, 2.0, hard=True, gradients=True, softening=True)
-        for law in ("eta", "c_2", "rubs")
+        for law in ("eta", "c_2", "contact")
     },
     # of the second c_2 A is some 10^-5 and nothing else damps: folds lie so near to the backbone that gradients count
     # as singular
@@ -168,7 +168,7 @@ def cases(name: str) -> list[Case]:
 
 
 #: by the fast tests: of each family whose force need not be derived, and one that is
-FAST = {"stated-root", "closed-bilinear", "inertia-0", "damped_eta-0", "damped_c_2-5", "damped_rubs-10",
+FAST = {"stated-root", "closed-bilinear", "inertia-0", "damped_eta-0", "damped_c_2-5", "damped_contact-10",
         "damped_base-0", "off_centre_laws-even"}  # fmt: skip
 
 
@@ -307,13 +307,13 @@ def test_certified_cases_have_folds_on_both_sides_of_an_edge():
 
 
 def test_certified_cases_of_each_law_have_folds_on_both_sides():
-    for law in ("eta", "c_2", "rubs", "base"):
+    for law in ("eta", "c_2", "contact", "base"):
         of_it = cases(f"damped_{law}")
         assert len(of_it) == (40 if law == "base" else 30) and sum(len(case["folds"]) for case in of_it) > 50
         assert any(fold["corner"] for case in of_it for fold in case["folds"])
-        assert law == "base" or {bool(case["parameters"]["zeta"][1]) for case in of_it} == {True, law == "rubs"}
+        assert law == "base" or {bool(case["parameters"]["zeta"][1]) for case in of_it} == {True, law == "contact"}
     laws = {
-        (*(bool(case["parameters"][name][1]) for name in ("zeta", "eta", "c_2")), case["rubs"])
+        (*(bool(case["parameters"][name][1]) for name in ("zeta", "eta", "c_2")), case["contact"])
         for case in cases("damped_base")
     }
     assert {(True, True, True, "throughout"), (False, True, False, "throughout")} < laws

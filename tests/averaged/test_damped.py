@@ -33,13 +33,13 @@ def by_quadrature():
         closed = of_record(case)
         numbers = dict(zip(("a", "b", "g", "end"), closed.model.parameters, strict=True))
         damping = {name: getattr(closed, name) for name in ("mu", "zeta", "eta", "c_2")}
-        return made(**numbers, nothing=0.0, rubs=case["rubs"], **damping)
+        return made(**numbers, nothing=0.0, contact=case["contact"], **damping)
 
     return get
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("law", "number"), [("rubs", 6), ("eta", 18), ("c_2", 6), ("rubs", 24)])
+@pytest.mark.parametrize(("law", "number"), [("contact", 6), ("eta", 18), ("c_2", 6), ("contact", 24)])
 @pytest.mark.part(2)
 def test_force_averaged_by_quadrature_has_certified_answers(by_quadrature, law, number):
     case, family = (

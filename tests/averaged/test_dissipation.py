@@ -23,8 +23,8 @@ from tests.oracles.by_work import assert_complete, balances, force_of
 from tests.sampling import slow
 from tests.slopes import assert_slopes_are_differences
 
-RUBBING = Isolator(lam=3.0, r=2.0, delta_h=0.08, mu=0.012, zeta=0.04, rubs="attached", force="untruncated")
-LOOSE = Isolator(lam=3.0, r=0.5, delta_h=0.02, mu=0.03, zeta=0.03, rubs="attached", force="untruncated")
+RUBBING = Isolator(lam=3.0, r=2.0, delta_h=0.08, mu=0.012, zeta=0.04, contact="attached", force="untruncated")
+LOOSE = Isolator(lam=3.0, r=0.5, delta_h=0.02, mu=0.03, zeta=0.03, contact="attached", force="untruncated")
 
 
 def drawn(rng):
@@ -32,7 +32,7 @@ def drawn(rng):
     laws, rod = rng.integers(1, 8), rng.random() < 0.6
     eta = 10 ** rng.uniform(-3, -0.7) if laws & 1 or not rod else 0.0
     c_2 = 10 ** rng.uniform(-2, 0.3) if laws & 2 else 0.0
-    rubs = "attached" if rod and (laws & 4 or eta == c_2 == 0) else "throughout"
+    contact = "attached" if rod and (laws & 4 or eta == c_2 == 0) else "throughout"
     zeta = rng.choice([0.0, 10 ** rng.uniform(-3, -0.5)]) if eta or c_2 else 10 ** rng.uniform(-3, -0.5)
     mu = rng.choice([0.0, 10 ** rng.uniform(-3.5, -1.7)])
     damping = {"mu": mu, "zeta": zeta, "eta": eta, "c_2": c_2}
@@ -42,7 +42,9 @@ def drawn(rng):
         return Duffing(rng.choice([1.0, 0.4]), rng.choice([-1, 1]) * 10 ** rng.uniform(-1, 1), **damping)
     r = rng.uniform(0.3, 3)
     force = str(rng.choice(["truncated", "untruncated"]))
-    return Isolator(lam=3.0, r=r, delta_h=min(rng.uniform(0.05, 0.9) / (3 * r), 0.9), rubs=rubs, force=force, **damping)
+    return Isolator(
+        lam=3.0, r=r, delta_h=min(rng.uniform(0.05, 0.9) / (3 * r), 0.9), contact=contact, force=force, **damping
+    )
 
 
 def test_linear_structural_damping_has_its_closed_form():
@@ -115,7 +117,7 @@ def cubic(alpha, beta, excitations=("force", "base", "unbalance"), **damping):
 
 INERTIAL = ("base", "unbalance")
 SOFT = {"lam": 3.532657672855806, "r": 3.4573848332310257, "delta_h": 0.23163298586429906, "c_2": 0.13}
-RELEASED = {"lam": 4.527643891882921, "r": 3.136807611618865, "delta_h": 0.21660468787787138, "rubs": "attached"}
+RELEASED = {"lam": 4.527643891882921, "r": 3.136807611618865, "delta_h": 0.21660468787787138, "contact": "attached"}
 #: what makes an oscillator, and forcings
 COUNTED = [
     # at rest R^2 + I^2 only rises with A: static states F_0/|alpha| lay on the edges of boxes, and were lost
@@ -152,9 +154,9 @@ COUNTED = [
     *((one, (0.001,)) for one in cubic(1.0, 0.0, INERTIAL, zeta=0.05, c_2=0.01)),
     # where h = 0 two frequencies come from 0: it was said that two go there
     *(
-        (functools.partial(Isolator, **SOFT, force=force, excitation="base", rubs=rubs), (0.15,))
+        (functools.partial(Isolator, **SOFT, force=force, excitation="base", contact=contact), (0.15,))
         for force in ("truncated", "untruncated")
-        for rubs in ("throughout", "attached")
+        for contact in ("throughout", "attached")
     ),
     # springs that let go of friction, next to no other damping: a pair of frequencies meets at Omega = 6e-4
     *(
@@ -190,7 +192,7 @@ def test_quadratic_damping_alone_has_folds_down_to_rest(make):
 
 def test_laws_that_are_not_there_change_nothing():
     parameters = {"lam": 3.0, "r": 2.0, "delta_h": 0.08, "mu": 0.012, "zeta": 0.04}
-    plain, same = Isolator(**parameters), Isolator(**parameters, eta=0.0, c_2=0.0, rubs="throughout")
+    plain, same = Isolator(**parameters), Isolator(**parameters, eta=0.0, c_2=0.0, contact="throughout")
     assert plain == same and repr(plain) == repr(same) and plain.given == same.given
     assert plain.model == same.model and (plain.model.native is None) == (same.model.native is None)
     damped = plain.replace(eta=0.02)
@@ -243,7 +245,7 @@ def test_friction_that_ends_at_u_cr_makes_a_corner():
     nearby = (at[:, np.newaxis] * (1 + np.array([-1e-5, 1e-5]))).ravel()
     states = osc.amplitudes(Omega=nearby, F_0=0.0502)
     assert [np.count_nonzero(states.Omega == w) for w in nearby] == [3, 1, 1, 3]
-    assert osc.replace(rubs="throughout").saddle_nodes(0.0502).A.size == 0
+    assert osc.replace(contact="throughout").saddle_nodes(0.0502).A.size == 0
 
 
 @pytest.mark.slow
@@ -252,7 +254,7 @@ def test_corners_beyond_where_friction_ends_are_without_it():
     u, gap, stop, step = sp.symbols("u gap stop step")
     pieces = [(u, gap), (2 * u - gap, stop), (2 * u - gap + step, None)]
     made = derive.mechanism("spring_and_step", pieces, {"gap": {"above": 0}, "stop": {"above": 0}, "step": {}})
-    osc = made(gap=0.3, stop=0.6, step=-0.1, mu=0.06, zeta=0.02, rubs="attached")
+    osc = made(gap=0.3, stop=0.6, step=-0.1, mu=0.06, zeta=0.02, contact="attached")
     folds = osc.saddle_nodes(0.12)
     at = folds.Omega[folds.corner & (folds.A == osc.breakpoints[1])]
     assert at.size == 2 and np.hypot(*balances(osc, at, 0.6)) == pytest.approx(0.12, rel=1e-12)
@@ -349,7 +351,7 @@ def test_exact_motions_are_those_of_independent_integration(osc, Omega, F_0, wit
     assert state.A == pytest.approx(by_time.largest(osc.restoring_force().value, osc, Omega, F_0, 40), rel=1e-6)
     (A,) = osc.amplitudes(Omega=Omega, F_0=F_0).A
     assert pytest.approx(A, rel=within) == state.A
-    assert osc.rubs != "attached" or state.A > osc.breakpoints[0]
+    assert osc.contact != "attached" or state.A > osc.breakpoints[0]
 
 
 @pytest.mark.parametrize("slip", [1, -1])
@@ -401,10 +403,10 @@ def test_laws_are_columns_of_a_batch_and_of_a_map():
     xarray = pytest.importorskip("xarray")
     pytest.importorskip("dask")
     eta = xarray.DataArray([0.02, 0.05], dims="rubber", coords={"rubber": ["soft", "hard"]})
-    parameters = {"lam": 3.0, "r": 2.0, "delta_h": 0.08, "mu": 0.01, "zeta": 0.04, "rubs": "attached"}
+    parameters = {"lam": 3.0, "r": 2.0, "delta_h": 0.08, "mu": 0.01, "zeta": 0.04, "contact": "attached"}
     grid = Isolator.many(**parameters, eta=eta.chunk(1))
     found = grid.peak(0.04).compute()
-    assert found.attrs["rubs"] == "attached" and "loss factor" in found.eta.attrs["long_name"]
+    assert found.attrs["contact"] == "attached" and "loss factor" in found.eta.attrs["long_name"]
     assert found.A.values.tolist() == [Isolator(**parameters, eta=one).peak(0.04).A for one in (0.02, 0.05)]
     for ask in (
         lambda: grid.second_approximation,
@@ -412,12 +414,12 @@ def test_laws_are_columns_of_a_batch_and_of_a_map():
         lambda: Isolator.many(**parameters, eta=0.1).certify(0.04),
         lambda: Isolator.many(**parameters, eta=0.1).second_approximation,
     ):
-        with pytest.raises(ValueError, match=r"eta.*rubs = 'attached'"):
+        with pytest.raises(ValueError, match=r"eta.*contact = 'attached'"):
             ask()
     with pytest.raises(ValueError, match="shock_spectrum is not available with eta"):
         Isolator.many(**parameters, eta=0.1).shock_spectrum(acceleration=0.1, duration=1.0)
-    with pytest.raises(ValueError, match="rubs = 'never'"):
-        Isolator.many(**{**parameters, "rubs": "never"})
+    with pytest.raises(ValueError, match="contact = 'never'"):
+        Isolator.many(**{**parameters, "contact": "never"})
 
 
 def test_a_batch_has_no_peak_where_the_mass_sticks():
@@ -475,7 +477,7 @@ def test_a_law_that_is_not_there_has_a_slope_too():
     found, u_cr = LOOSE.amplitudes(Omega=1.02, F_0=0.0502), np.array(LOOSE.breakpoints)
     on_it = dataclasses.replace(found, Omega=found.Omega[:1], A=u_cr, stable=found.stable[:1])
     assert on_it.gradient().status.tolist() == [GradientStatus.TURNS]
-    without = LOOSE.replace(rubs="throughout", c_2=0.1).amplitudes(Omega=1.02, F_0=0.0502)
+    without = LOOSE.replace(contact="throughout", c_2=0.1).amplitudes(Omega=1.02, F_0=0.0502)
     passes = dataclasses.replace(without, Omega=without.Omega[:1], A=u_cr, stable=without.stable[:1])
     assert passes.gradient().status.tolist() == [GradientStatus.OK]
 
@@ -552,7 +554,7 @@ def test_motions_beyond_u_cr_exist_beside_a_held_mass():
     assert peak.A == pytest.approx(osc.frequency_response(F_0).A.max(), rel=1e-3)
     assert margins.sticks and margins.detaches and margins.folds == 2
     parameters = {"lam": 3.0, "r": 0.5, "delta_h": 0.02, "mu": 0.03, "zeta": [0.002]}
-    many = Isolator.many(**parameters, rubs="attached", force="untruncated")
+    many = Isolator.many(**parameters, contact="attached", force="untruncated")
     assert many.saddle_nodes(F_0).count == 2 and many.saddle_nodes(F_0).remarks == folds.remarks
     assert many.margins(F_0).detaches == many.margins(F_0).sticks == 1
     at_rest = osc.steady_state(Omega=1.0, F_0=0.029)
@@ -669,7 +671,7 @@ def test_what_has_no_answer_is_refused_in_words():
         lambda osc: osc.saddle_nodes(0.04, certify=True),
         lambda osc: osc.second_approximation,
     ):
-        for osc, law in ((damped, "eta = 0.02"), (rubbing, "rubs = 'attached'")):
+        for osc, law in ((damped, "eta = 0.02"), (rubbing, "contact = 'attached'")):
             with pytest.raises(ValueError, match=law):
                 ask(osc)
     for ask in (
@@ -678,7 +680,7 @@ def test_what_has_no_answer_is_refused_in_words():
     ):
         with pytest.raises(ValueError, match="structural damping is defined at one frequency"):
             ask()
-    with pytest.raises(ValueError, match="limit_envelope is not available with rubs = 'attached'"):
+    with pytest.raises(ValueError, match="limit_envelope is not available with contact = 'attached'"):
         rubbing.limit_envelope(Omega=1.0, F_0=0.04)
     shaken = damped.replace(excitation="base")
     with pytest.raises(ValueError, match=r"second_approximation is not available with eta = 0\.02"):
@@ -695,13 +697,13 @@ def test_what_has_no_answer_is_refused_in_words():
         with pytest.raises(ValueError, match=law):
             Duffing.many(1.0, 0.5, zeta=[0.01], load=0.1, **{law: 0.1})
     with pytest.raises(ValueError, match="its force has one piece"):
-        Oscillator(duffing.MECHANISM, alpha=1.0, beta=0.5, mu=0.01, zeta=0.02, rubs="attached")
+        Oscillator(duffing.MECHANISM, alpha=1.0, beta=0.5, mu=0.01, zeta=0.02, contact="attached")
     with pytest.raises(ValueError, match="nothing would dissipate beyond"):
         rubbing.replace(zeta=0.0)
     with pytest.raises(ValueError, match="eta = -1"):
         Duffing(1.0, 0.5, eta=-1.0)
-    with pytest.raises(ValueError, match="rubs = 'never'"):
-        rubbing.replace(rubs="never")
+    with pytest.raises(ValueError, match="contact = 'never'"):
+        rubbing.replace(contact="never")
     assert "viscous damping and dry friction only" in str(damped.amplitudes(Omega=1.0, F_0=0.04).validity)
     assert "eta = 0.02" in str(damped.explain("saddle_nodes", 0.04))
 
@@ -778,10 +780,10 @@ def test_springless_mass_follows_a_base_by_structural_damping():
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("rubs", ["throughout", "attached"])
-def test_onset_by_inertia_is_the_least_level_below_all_cusps(rubs):
+@pytest.mark.parametrize("contact", ["throughout", "attached"])
+def test_onset_by_inertia_is_the_least_level_below_all_cusps(contact):
     """An isola point of weak damping: the least level of all amplitudes beyond the stop, on a grid and around it."""
-    laws = {"mu": 0.0, "zeta": 0.0028, "c_2": 0.0 if rubs == "attached" else 1e-9, "rubs": rubs}
+    laws = {"mu": 0.0, "zeta": 0.0028, "c_2": 0.0 if contact == "attached" else 1e-9, "contact": contact}
     osc = derive.library("elastic_stop")(kappa=5.6, delta=0.58, **laws, excitation="base")
 
     def level(Omega, A):

@@ -126,9 +126,11 @@ KINDS = {
     "isolators of which some are none": Kind(Isolator, spoilt),
     "the same with an unbalance": Kind(Isolator, spoilt, {"excitation": "unbalance"}),
     "untruncated isolators": Kind(Isolator, isolators, {"force": "untruncated"}),
-    "rubbing isolators": Kind(Isolator, rubbing, {"rubs": "attached"}, ALL, FEW),
-    "rubbing isolators on a base": Kind(Isolator, rubbing, {"rubs": "attached", "excitation": "base"}, count=FEW),
-    "rubbing untruncated isolators": Kind(*(Isolator, rubbing, {"rubs": "attached", "force": "untruncated"}, ALL, FEW)),
+    "rubbing isolators": Kind(Isolator, rubbing, {"contact": "attached"}, ALL, FEW),
+    "rubbing isolators on a base": Kind(Isolator, rubbing, {"contact": "attached", "excitation": "base"}, count=FEW),
+    "rubbing untruncated isolators": Kind(
+        *(Isolator, rubbing, {"contact": "attached", "force": "untruncated"}, ALL, FEW)
+    ),
     "Duffing's": Kind(Duffing, duffings),
     "Duffing's with an unbalance": Kind(Duffing, duffings, {"excitation": "unbalance"}),
     "Duffing's with every law": Kind(Duffing, with_laws, count=FEW),

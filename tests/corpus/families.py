@@ -236,7 +236,7 @@ class Family(NamedTuple):
     sample: int
 
 
-LAWS = {"eta": {"eta": 0.05}, "c_2": {"c_2": 0.1}, "attached": {"rubs": "attached"}}
+LAWS = {"eta": {"eta": 0.05}, "c_2": {"c_2": 0.1}, "attached": {"contact": "attached"}}
 LAWS |= {"c_3": {"c_3": 0.5}, "zeta_2": {"zeta_2": 0.5}}
 
 FAMILIES: dict[str, Family] = {

@@ -234,8 +234,8 @@ def test_sweeps_settle_to_motions_of_scipy(motions):
     [
         ({"c_2": 0.4, "mu": 0.01}, 0.3, 0.02, 2),
         ({"mu": 0.02, "mu_s": 0.03}, 0.3, 0.05, 2),
-        ({"mu": 0.02, "rubs": "attached"}, 0.5, 0.1, 0),
-        ({"mu": 0.02, "mu_s": 0.03, "rubs": "attached", "c_2": 0.3}, 0.3, 0.036, 2),
+        ({"mu": 0.02, "contact": "attached"}, 0.5, 0.1, 0),
+        ({"mu": 0.02, "mu_s": 0.03, "contact": "attached", "c_2": 0.3}, 0.3, 0.036, 2),
     ],
 )
 def test_motions_under_every_law_of_damping_are_scipys(law, Omega, F_0, stops):

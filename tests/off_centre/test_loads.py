@@ -89,7 +89,7 @@ def test_friction_holds_as_far_as_the_spring_pushes_less():
         )
     assert Duffing(2.0, 0.0, mu=0.3, zeta=0.1).at_rest().rests_within == pytest.approx(0.15)
     assert Isolator(lam=3, r=2.0, delta_h=0.08, mu=0.01, zeta=0.02).replace(mu_s=0.02).at_rest().break_loose == 0.02
-    released = Isolator(lam=3, r=2.0, delta_h=0.08, mu=1.0, zeta=0.02, rubs="attached")
+    released = Isolator(lam=3, r=2.0, delta_h=0.08, mu=1.0, zeta=0.02, contact="attached")
     assert released.at_rest().rests_within == released.u_cr
     with pytest.raises(ValueError, match="at_rest is not available with load"):
         Duffing(1.0, 0.5, 0.01, 0.05, load=0.1).at_rest()

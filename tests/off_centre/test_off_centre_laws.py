@@ -205,8 +205,8 @@ def test_what_is_not_answered_off_the_centre_is_refused_in_words():
             ask(0.1)
     assert len(well.off_centre.rest()) == 3
     assert well.replace(load=0.05).amplitudes(Omega=1.0, F_0=0.1).A.size
-    with pytest.raises(NotAvailable, match="rubs = 'attached'"):
-        Isolator(**TABLE_1, load=0.05, rubs="attached")
+    with pytest.raises(NotAvailable, match="contact = 'attached'"):
+        Isolator(**TABLE_1, load=0.05, contact="attached")
 
 
 QUERIES = {

@@ -102,8 +102,8 @@ def test_shocks_of_many_designs_begin_where_each_rests():
 
 
 def test_batch_questions_without_asymmetric_answer_are_refused():
-    with pytest.raises(ValueError, match="load is not available with rubs = 'attached'"):
-        Isolator.many(**TABLE_1, load=0.1, rubs="attached")
+    with pytest.raises(ValueError, match="load is not available with contact = 'attached'"):
+        Isolator.many(**TABLE_1, load=0.1, contact="attached")
     with pytest.raises(ValueError, match="defined at one frequency"):
         Isolator.many(**TABLE_1, load=0.1, eta=0.02).shock_spectrum(acceleration=0.1, duration=2.0)
     with pytest.raises(ValueError, match="shapes"):

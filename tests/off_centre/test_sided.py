@@ -261,8 +261,8 @@ def test_asymmetric_force_is_refused_centred_questions(stop):
     ):
         with pytest.raises(ValueError, match="not odd"):
             ask()
-    with pytest.raises(NotAvailable, match="a force that is not odd is not available with rubs = 'attached"):
-        oscillator.replace(rubs="attached")
+    with pytest.raises(NotAvailable, match="a force that is not odd is not available with contact = 'attached"):
+        oscillator.replace(contact="attached")
     with pytest.raises(ValueError, match="does not grow"):
         derive.mechanism("bounce", [(0 * u, 0), (k * u, None)], {"k": ABOVE}, odd=False)(k=2.0, **DAMPED).rest()
     assert pickle.loads(pickle.dumps(oscillator)) == oscillator

@@ -5,7 +5,7 @@ restoring force is averaged here through the moments of sin^(2k), all arithmetic
 that enclose the true value), and completeness is proved, not sampled:
 
 * With R = A Omega^2 + h and I = n + 2 zeta A Omega + d A^2 Omega^2 the response curve is F = R^2 + I^2 - F_0^2 = 0.
-  n = 4 mu/pi + eta A, or 4 mu u_cr/(pi A) beyond u_cr where only what is attached rubs; d = 8 c_2/(3 pi).
+  n = 4 mu/pi + eta A, or 4 mu u_cr/(pi A) beyond u_cr where friction ends there; d = 8 c_2/(3 pi).
   F, A F_A/2 - F and the like are quartics in Omega: each pair of them gives one function of A, the determinant of their
   Bezout matrix, which is the resultant times a power of a leading coefficient that is positive. Where both are even in
   Omega it is that of Omega^2. While the mass stays attached (A <= u_cr) it is a polynomial with rational coefficients:

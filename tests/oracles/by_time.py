@@ -85,9 +85,9 @@ def stretches(
         def free(tau: Any, u: float = u, side: float = side) -> Any:
             return push(tau) - pull(u) - side * preload
 
-        rubs = osc.rubs == "throughout" or not (beyond and beyond[0])
+        slides = osc.contact == "throughout" or not (beyond and beyond[0])
         if v == 0:
-            if rubs and abs(free(t)) <= osc.mu_s:
+            if slides and abs(free(t)) <= osc.mu_s:
                 later = np.linspace(t, end, 20_001)
                 loose = np.flatnonzero(np.abs([free(tau) for tau in later]) > osc.mu_s)
                 until = end
@@ -99,7 +99,7 @@ def stretches(
                     return
             slip = np.sign(free(t))
 
-        def field(tau: float, y: Any, slip: float = slip, mu: float = osc.mu * rubs, side: float = side) -> Any:
+        def field(tau: float, y: Any, slip: float = slip, mu: float = osc.mu * slides, side: float = side) -> Any:
             viscous = 2 * (osc.zeta + osc.zeta_2 * y[0] ** 2) + osc.c_3 * y[1] ** 2
             resists = viscous * y[1] + slip * (osc.c_2 * y[1] ** 2 + mu)
             return [y[1], push(tau) - pull(y[0]) - side * preload - resists]

@@ -52,7 +52,7 @@ def on_grid(osc: Any) -> Any:
 
 def lag(osc: Any, Omega: Any, A: Any) -> Any:
     """I, by the work of friction, viscous, structural, quadratic and cubic damping over a cycle."""
-    way = np.minimum(A, osc.breakpoints[0]) if osc.rubs == "attached" else A
+    way = np.minimum(A, osc.breakpoints[0]) if osc.contact == "attached" else A
     work = 4 * osc.mu * way + np.pi * (osc.eta + 2 * osc.zeta * Omega) * A**2 + 8 / 3 * osc.c_2 * Omega**2 * A**3
     return (work + np.pi * (0.5 * osc.zeta_2 * Omega + 0.75 * osc.c_3 * Omega**3) * A**4) / (np.pi * A)
 

@@ -65,7 +65,7 @@ LAWS = (
     lambda rng, F_0: {"mu_s": F_0 * rng.uniform(0.5, 0.95)},
     lambda rng, F_0: {"excitation": str(rng.choice(["base", "unbalance"]))},
     lambda rng, F_0: {"load": F_0 * rng.uniform(-0.5, 0.5)},
-    lambda rng, F_0: {"rubs": "attached"},
+    lambda rng, F_0: {"contact": "attached"},
 )
 
 
@@ -86,10 +86,10 @@ def random_motions(count, seed):
         damping = LAWS[law](rng, F_0)
         inertial = "excitation" in damping
         force = F_0 * Omega**2 if inertial else F_0
-        own = {"mu": 0.0 if n % 36 < 6 and "rubs" not in damping else force * rng.uniform(0.05, 0.5)}
+        own = {"mu": 0.0 if n % 36 < 6 and "contact" not in damping else force * rng.uniform(0.05, 0.5)}
         own["zeta"] = rng.uniform(0.005, 0.1)
         if n // len(LAWS) % 3 == 2:
-            damping.pop("rubs", None)  # its force has one piece
+            damping.pop("contact", None)  # its force has one piece
             one = Duffing(rng.uniform(0.2, 1.5), rng.uniform(0.0, 1.0), **own, **damping)
         else:
             lam, r = int(rng.integers(1, 5)), rng.uniform(0.5, 3)

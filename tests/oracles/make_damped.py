@@ -24,7 +24,7 @@ from tests.oracles.make_random_isolators import (
     write,
 )
 
-LAWS = ("eta", "c_2", "rubs")
+LAWS = ("eta", "c_2", "contact")
 EACH = 30
 #: on a base that shakes, of four combinations of laws
 SHAKEN = 40
@@ -69,14 +69,14 @@ class ShakenDuffing(ByInertia, DampedDuffing):
 def drawn(law: str, index: int, rod: bool, bare: bool, rng: random.Random) -> dict[str, float]:
     """Numbers of an isolator, or of Duffing oscillator number `index`; a bare one has no viscous damping if it can."""
     design = draw_isolator(rng, lambda: rng.uniform(0.02, 0.97)) if rod else draw_duffing(rng, index)
-    bare = bare and law != "rubs" and design.get("beta", 1.0) > 0
+    bare = bare and law != "contact" and design.get("beta", 1.0) > 0
     parameters = {
         **design,
         "zeta": 0.0 if bare else design["zeta"],
         "eta": log_uniform(rng, 0.003, 0.15) if law in ("eta", "both") else 0.0,
         "c_2": log_uniform(rng, 0.01, 1) if law in ("c_2", "both") else 0.0,
     }
-    if law == "rubs":
+    if law == "contact":
         parameters["mu"] = log_uniform(rng, 0.001, 0.03)
     return parameters
 
@@ -84,9 +84,9 @@ def drawn(law: str, index: int, rod: bool, bare: bool, rng: random.Random) -> di
 def case(law: str, index: int) -> dict:
     """One oscillator: its onset, and its folds and states at one forcing."""
     rng = random.Random(f"{SEED} damped {law} {index}")
-    rod = law == "rubs" or index % 2 == 0
+    rod = law == "contact" or index % 2 == 0
     parameters = drawn(law, index // 2, rod, index % 3 == 0, rng)
-    oscillator = (ReleasedRod if law == "rubs" else DampedRod if rod else DampedDuffing)(**parameters)
+    oscillator = (ReleasedRod if law == "contact" else DampedRod if rod else DampedDuffing)(**parameters)
     onset = oscillator.onset()
     m = float(oscillator.m.mid())
     if onset is None:
@@ -106,7 +106,7 @@ def case(law: str, index: int) -> dict:
     return {
         "mechanism": "duffing" if isinstance(oscillator, Duffing) else "rod_spring",
         "parameters": {k: encoded(v) for k, v in parameters.items()},
-        "rubs": "attached" if oscillator.ends_at_u_cr else "throughout",
+        "contact": "attached" if oscillator.ends_at_u_cr else "throughout",
         "onset": lowest and {"F_SN": lowest.pop("F_0"), **lowest},
         "F_0": encoded(F_0),
         **answered(oscillator, folds, F_0, (among, log_uniform(rng, 0.3, 3))),
@@ -116,10 +116,10 @@ def case(law: str, index: int) -> dict:
 def shaken(index: int) -> dict:
     """Oscillator number `index` of the four combinations in turn, on a base that shakes."""
     rng = random.Random(f"{SEED} damped base {index}")
-    law = ("eta", "c_2", "both", "rubs")[index % 4]
-    rod = law == "rubs" or index // 4 % 2 == 0
+    law = ("eta", "c_2", "both", "contact")[index % 4]
+    rod = law == "contact" or index // 4 % 2 == 0
     parameters = drawn(law, index // 4, rod, index // 4 % 3 == 0, rng)
-    kind = ShakenReleased if law == "rubs" else ShakenRod if rod else ShakenDuffing
+    kind = ShakenReleased if law == "contact" else ShakenRod if rod else ShakenDuffing
     oscillator = kind(**parameters)
     with precision(BITS):
         levels = [float(oscillator.forcing(p.Omega, p.A, p.regime).mid()) for p in oscillator._cusps()]
@@ -132,7 +132,7 @@ def shaken(index: int) -> dict:
     return {
         "mechanism": "rod_spring" if rod else "duffing",
         "parameters": {k: encoded(v) for k, v in parameters.items()},
-        "rubs": "attached" if law == "rubs" else "throughout",
+        "contact": "attached" if law == "contact" else "throughout",
         "F_0": encoded(F_0),
         **answered(oscillator, folds, F_0, frequencies),
     }

@@ -74,7 +74,7 @@ def test_scales_are_the_papers_groups():
 
 def test_a_mount_with_every_law_of_damping_balances_in_newtons():
     """The first harmonic of (1) with the force (2) and each law's own, in SI units, by quadrature of one cycle."""
-    laws = {"eta": 0.03, "c_2": 25.0, "c_3": 20.0, "c_xx": 900.0, "rubs": "attached"}
+    laws = {"eta": 0.03, "c_2": 25.0, "c_3": 20.0, "c_xx": 900.0, "contact": "attached"}
     mount = Isolator.physical(**MOUNT, **laws, force="untruncated")
     m, k_v, L, preload = (MOUNT[name] for name in ("m", "k_v", "L", "preload"))
     F, f = 25.0, 2.1
@@ -86,10 +86,10 @@ def test_a_mount_with_every_law_of_damping_balances_in_newtons():
         x, v = A * math.cos(theta), -A * omega * math.sin(theta)
         height = math.sqrt(L**2 - x**2)
         pushing = max(preload - (L - height), 0.0)
-        rubs = 0.4 * math.copysign(1.0, v) if abs(x) < x_cr else 0.0
+        friction = 0.4 * math.copysign(1.0, v) if abs(x) < x_cr else 0.0
         force = k_v * x - 3 * 1700 * pushing * x / height
         viscous = c + laws["eta"] * k_v / omega + laws["c_xx"] * x**2 + laws["c_2"] * abs(v) + laws["c_3"] * v**2
-        return -m * omega**2 * x + viscous * v + rubs + force
+        return -m * omega**2 * x + viscous * v + friction + force
 
     for A, phi in zip(found.A, found.phi, strict=True):
         edge = math.acos(min(1.0, x_cr / A))
@@ -104,11 +104,11 @@ def test_a_mount_with_every_law_of_damping_balances_in_newtons():
 def test_laws_of_damping_are_those_of_the_mount(mount):
     pint = pytest.importorskip("pint")
     u = pint.UnitRegistry()
-    laws = {"eta": 0.03, "c_2": 30.0, "rubs": "attached"}
+    laws = {"eta": 0.03, "c_2": 30.0, "contact": "attached"}
     damped = mount.replace(**laws)
     assert (
         damped == Isolator.physical(**MOUNT, **laws) != mount
-        and damped.replace(eta=0, c_2=0, rubs="throughout") == mount
+        and damped.replace(eta=0, c_2=0, contact="throughout") == mount
     )
     assert eval(repr(damped), {"Isolator": Isolator}) == damped and "c_2=30.0" in repr(damped)
     assert repr(mount.replace(eta=0.0)) == repr(mount)
@@ -521,8 +521,8 @@ def test_a_number_that_is_no_argument_is_said_with_the_nearest():
 
 
 def test_a_load_that_is_refused_is_the_mass_that_was_given(mount):
-    with pytest.raises(ValueError, match=r"^load = 10 kg is not available with rubs = "):
-        mount.replace(load=10, rubs="attached")
+    with pytest.raises(ValueError, match=r"^load = 10 kg is not available with contact = "):
+        mount.replace(load=10, contact="attached")
 
 
 def test_force_is_of_the_geometry_unless_the_truncated_is_named(mount):

@@ -118,7 +118,7 @@ def test_many_cubic_springs_are_answered_as_alone(springs, damping):
 
 
 def test_several_mounts_and_every_law_of_damping_vary():
-    mount = Isolator.physical(**SHEET, mounts=4, eta=0.01, c_2=5.0, c_xx=300.0, rubs="attached")
+    mount = Isolator.physical(**SHEET, mounts=4, eta=0.01, c_2=5.0, c_xx=300.0, contact="attached")
     varied = {"eta": [0.0, 0.02], "c_2": [5.0, 9.0], "c_xx": [0.0, 500.0], "k_v": [9000.0, 2000.0]}
     found = mount.many(**varied).saddle_nodes(F=20.0)
     for k in range(2):

@@ -54,6 +54,7 @@ GONE = {
     "parts": "chunks, pieces or terms",
     "places": "positions, equilibria or a count",
     "play": "a dead zone",
+    "rubs": "contact, which says where dry friction acts",
     "rests": "equilibria, or stick phases",
     "said": "a message or diagnostics",
     "settle": "converge",

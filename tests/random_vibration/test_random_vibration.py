@@ -317,15 +317,15 @@ def test_stationary_motions_are_those_of_a_scan(case):
     laws = {"zeta": random.uniform(0.01, 0.1), "mu": random.choice([0.0, 0.01]), "c_2": random.choice([0.0, 0.1])}
     if case > 5:
         laws |= {"mu": 0.02, "c_3": random.choice([0.0, 0.2]), "zeta_2": random.uniform(0.0, 1.0)}
-    rubs = {"rubs": "attached"} if case > 5 and case % 2 else {}
-    one = Isolator(**DESIGN, **laws, **rubs) if case % 2 else Duffing(1.0, random.uniform(-0.01, 1.0), **laws)
+    contact = {"contact": "attached"} if case > 5 and case % 2 else {}
+    one = Isolator(**DESIGN, **laws, **contact) if case % 2 else Duffing(1.0, random.uniform(-0.01, 1.0), **laws)
     low = random.uniform(0.6, 1.2)
     psd = spread(random.uniform(5e-4, 5e-3)) if case % 3 == 0 else ([low, 1.3 * low], [0.03, 0.01])
     found = one.random(psd=psd)
     expected = scanned(one.equation_of_motion(), psd, 0.2 * found.u_rms[0], 5 * found.u_rms[-1])
     np.testing.assert_allclose(found.u_rms, expected, rtol=1e-8)
     design = DESIGN if case % 2 else {name: getattr(one, name) for name in ("alpha", "beta")}
-    many = type(one).many(**design, **laws, **rubs)
+    many = type(one).many(**design, **laws, **contact)
     assert many.random(psd=psd).u_rms[: len(found)].tolist() == found.u_rms.tolist()
 
 
@@ -409,7 +409,7 @@ def test_gradient_of_a_cubic_spring_is_that_of_closed_forms():
             assert slope == pytest.approx(float(expected), rel=2e-13, abs=1e-15)
 
 
-@pytest.mark.parametrize("laws", ({}, {"zeta_2": 0.7, "rubs": "attached"}))
+@pytest.mark.parametrize("laws", ({}, {"zeta_2": 0.7, "contact": "attached"}))
 @mp.workdps(40)
 def test_gradient_of_a_force_that_jumps_is_that_of_its_tails(laws):
     """The force jumps at u_cr, which the design moves, and where friction may end."""
@@ -582,7 +582,7 @@ def test_cycles_of_a_linear_spring_have_closed_integrals():
 def test_cycles_with_all_damping_have_their_density():
     """Of u and v it is exp(-P) of their energy, P by the loss of a cycle over pi S_0 times its area."""
     S_0, laws = 1e-3, {"mu": 0.02, "zeta": 0.02, "c_2": 0.1, "c_3": 0.3, "zeta_2": 0.5}
-    one = Isolator(**DESIGN, **laws, rubs="attached")
+    one = Isolator(**DESIGN, **laws, contact="attached")
     u_cr, force = one.u_cr, one.restoring_force()
     u = np.linspace(0, 0.9, 9001)
     V = np.concatenate(([0.0], np.cumsum(force(0.5 * (u[1:] + u[:-1]))) * u[1]))
@@ -637,7 +637,7 @@ def test_friction_of_most_of_the_damping_is_named():
     assert found.dry[0] > 0.8
     assert "dry friction is 0.93 of the equivalent damping" in found.message
     assert "by_energy is within 4 % up to 0.9" in found.message
-    assert "above 0.5 root mean" in Isolator(**DESIGN, mu=0.02, zeta=0.02, rubs="attached").random(S_0=1e-3).message
+    assert "above 0.5 root mean" in Isolator(**DESIGN, mu=0.02, zeta=0.02, contact="attached").random(S_0=1e-3).message
 
 
 @pytest.mark.parametrize(("law", "size", "off"), (("c_3", 0.5, 0.053), ("zeta_2", 0.5, 0.042), ("c_2", 1.0, 0.04)))
@@ -695,7 +695,7 @@ def test_a_mass_that_friction_holds_has_no_equivalent_damping():
 
 def test_friction_that_ends_may_hold_up_to_some_displacement():
     one = Isolator(**DESIGN, mu=2.4, zeta=0.02)
-    attached = one.replace(rubs="attached")
+    attached = one.replace(contact="attached")
     for other, density in ((one, 1.0), (attached, 0.05)):
         with pytest.raises(ArithmeticError, match="friction holds"):
             other.random(psd=spread(density))

@@ -957,11 +957,11 @@ def test_less_static_than_kinetic_friction_is_no_design(static):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("laws", [{"eta": 0.01}, {"c_2": 8.0}, {"rubs": "attached"}])
+@pytest.mark.parametrize("laws", [{"eta": 0.01}, {"c_2": 8.0}, {"contact": "attached"}])
 def test_other_laws_are_sized_as_single_questions_see_them(laws):
     mount = MOUNT.replace(**laws)
     answers = {name: single for name, single in SINGLE.items() if "shock" not in name or "eta" not in laws}
-    within = {name: 0.1 for name in ("k_h", "friction", *laws) if name != "rubs"}
+    within = {name: 0.1 for name in ("k_h", "friction", *laws) if name != "contact"}
     found = tolerances(mount, within, F=5, shock=(20, 0.02), answers=answers, samples=2)
     assert_samples_are_single_answers(found, mount, answers)
 
@@ -1009,9 +1009,9 @@ def test_other_laws_are_sized_on_a_base_with_rising_amplitude(laws):
 
 @pytest.mark.slow
 def test_other_laws_are_sized_on_a_base_as_single_questions():
-    laws = {"eta": 0.02, "c_2": 8.0, "rubs": "attached"}
+    laws = {"eta": 0.02, "c_2": 8.0, "contact": "attached"}
     shaken = SHAKEN.replace(**laws)
-    within = {name: 0.1 for name in ("k_h", "friction", *laws) if name != "rubs"}
+    within = {name: 0.1 for name in ("k_h", "friction", *laws) if name != "contact"}
     found = tolerances(shaken, within, Y=0.002, f=2.2, samples=2)
 
     def single(one):

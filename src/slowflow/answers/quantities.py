@@ -99,7 +99,7 @@ DATA_SHEET: Mapping[str, tuple[str, str]] = MappingProxyType(
         "c_2": ("N s^2/m^2", "quadratic damping"),
         "c_3": ("N s^3/m^3", "cubic damping"),
         "c_xx": ("N s/m^3", "growth of the viscous damping with the squared displacement"),
-        "rubs": ("", "where friction acts"),
+        "contact": ("", "where friction acts"),
         "force": ("", "the springs' force that is averaged: truncated (6), or untruncated (5)"),
         "excitation": ("", "kind of excitation"),
     }

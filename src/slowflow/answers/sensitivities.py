@@ -37,13 +37,13 @@ OF_RECORD = (
 class Design(NamedTuple):
     """Whose answers these are: mechanism, numbers of the design and the damping, or arrays of them, and excitation.
 
-    rubs -- where dry friction acts, if there are other laws of damping: numbers then end with those of `DISSIPATION`
+    contact -- where dry friction acts, if there are other laws of damping: numbers then end with those of `DISSIPATION`
     """
 
     mechanism: Mechanism
     numbers: tuple[Any, ...]
     excitation: str
-    rubs: str | None = None
+    contact: str | None = None
 
     @classmethod
     def of(cls, model: Model | None) -> Design:
@@ -53,7 +53,7 @@ class Design(NamedTuple):
         laws, numbers = model.laws, (*model.design, model.mu, model.zeta)
         if not laws.any:
             return cls(model.mechanism, numbers, model.excitation)
-        return cls(model.mechanism, (*numbers, *laws.numbers.values()), model.excitation, laws.rubs)
+        return cls(model.mechanism, (*numbers, *laws.numbers.values()), model.excitation, laws.contact)
 
     def with_places(self) -> Design:
         """The same with one more axis behind those of the designs."""
@@ -72,7 +72,7 @@ def gradient(
     arguments -- of the query: "F_0" and "Omega", or less
     """
     A, Omega, F_0 = at = tuple(math.nan if one is None else one for one in point)
-    by = (*_names(design.mechanism, design.rubs is not None), *arguments)
+    by = (*_names(design.mechanism, design.contact is not None), *arguments)
     slopes, status = _slopes(design, kind, (A, Omega, F_0), SIMPLE, len(by))
     rows = tuple(of.values())
     selected = slopes[..., rows[0] :: -1, :][..., : len(rows), :] if rows[0] else slopes[..., : len(rows), :]
@@ -101,11 +101,11 @@ def _slopes(design: Design, kind: Any, at: tuple[Any, Any, Any], rows: int, colu
     """Slopes of shape (..., rows, columns), and their status."""
     A, Omega, F_0 = at
     # compiled code asks where friction acts too
-    ends = () if design.rubs is None else (float(design.rubs != THROUGHOUT),)
+    ends = () if design.contact is None else (float(design.contact != THROUGHOUT),)
     arrays = (*design.numbers, *ends, F_0, Omega, A, kind, float(design.excitation != "force"))
     shape = np.broadcast(*arrays).shape
     slopes, status = np.empty((*shape, rows, columns)), np.empty(shape, np.int8)
-    record = backend.record_of(design.mechanism, laws=design.rubs is not None)
+    record = backend.record_of(design.mechanism, laws=design.contact is not None)
     if design.mechanism.by_parameter is None or record is None:
         raise validate.NotAvailable(
             (OF_FUNCTIONS if design.mechanism.told else OF_RECORD).format(design.mechanism.name)
@@ -125,7 +125,7 @@ def vanishes(value: Any, size: Any, fraction: float) -> Any:
 
 def of_states(design: Design, Omega: Any, A: Any, F_0: Any, phi: Any, transmissibility: Any) -> Gradient:
     """Of steady states at a forcing and a frequency."""
-    by = (*_names(design.mechanism, design.rubs is not None), "F_0", "Omega")
+    by = (*_names(design.mechanism, design.contact is not None), "F_0", "Omega")
     values, at = (A, phi, transmissibility), (*design.numbers, F_0, Omega)
     slopes, status = _of_places(design, (A, Omega, F_0), len(values), len(by))
     if (sticks := np.broadcast_to(np.asarray(A) == 0, status.shape)).any():  # friction holds it there as well nearby

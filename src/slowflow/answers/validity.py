@@ -205,7 +205,7 @@ def near_sticking(model: Model, F_0: float) -> str:
     """The message for a forcing that barely exceeds friction."""
     ratio = model.mu / F_0
     off = OFF_BY.format(measured.BY_RATIO[int(_bin(measured.RATIOS, np.array(ratio)))])
-    if model.laws.rubs != THROUGHOUT:
+    if model.laws.contact != THROUGHOUT:
         return NEAR_STICKING_ATTACHED.format(ratio, "near" if ratio <= math.pi / 4 else "above") + OFF_UNKNOWN
     return NEAR_STICKING.format(ratio) + (off if _is_measured(model) else OFF_UNKNOWN)
 

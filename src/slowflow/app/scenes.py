@@ -138,7 +138,7 @@ KINDS = {
     "duffing": Kind(Duffing),
 }
 #: keys of these that are no numbers with a tolerance
-NO_NUMBERS = ("load", "force", "excitation", "rubs", "mu_s", "static_friction")
+NO_NUMBERS = ("load", "force", "excitation", "contact", "mu_s", "static_friction")
 #: what the amplitude of an excitation is called
 FORCINGS = (*LETTERS, "F_0")
 #: of which kind the arguments of a mount's questions are

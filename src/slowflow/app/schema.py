@@ -17,7 +17,7 @@ from slowflow.app.scenes import FREQUENCIES, KINDS, NO_NUMBERS, OF_A_PULSE, OF_F
 from slowflow.app.verdict import AMOUNTS, NONE, TRANSMISSIBILITY
 from slowflow.oscillators.oscillator import FORCES
 from slowflow.oscillators.physical import Physical
-from slowflow_kernels.domains import DAMPING, DISSIPATION, EXCITATIONS, RUBS
+from slowflow_kernels.domains import CONTACTS, DAMPING, DISSIPATION, EXCITATIONS
 from slowflow_kernels.duffing import MECHANISM as DUFFING
 from slowflow_kernels.rod_spring import MECHANISM as ROD_SPRING
 
@@ -25,7 +25,7 @@ Schema = dict[str, Any]
 
 DRAFT = "https://json-schema.org/draft/2020-12/schema"
 #: words that a key of an oscillator may be
-CHOICES = {"force": FORCES, "rubs": tuple(RUBS), "excitation": tuple(EXCITATIONS)}
+CHOICES = {"force": FORCES, "contact": tuple(CONTACTS), "excitation": tuple(EXCITATIONS)}
 #: which table beside the oscillator and [ask] a question reads
 TABLES = {"spectrum": "spectrum", "tolerances": "tolerances", "random": "psd", **dict.fromkeys(SHOCKS, "shock")}
 POSITIVE: Schema = {"type": "number", "exclusiveMinimum": 0}

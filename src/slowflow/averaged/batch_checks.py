@@ -50,7 +50,7 @@ def at_rest(designs: Designs, workers: int = 1) -> Batch:
         of_law = law.coefficients(*designs.design)
         within = checks.rests_within(law.pieces, of_law, law.breakpoints(*of_law), mu)
         end = flow.first_end
-        if designs.rubs != THROUGHOUT:
+        if designs.contact != THROUGHOUT:
             within = np.minimum(within, end)
         Omega_0 = np.sqrt(k_0)
     # also where no forcing reaches it
@@ -210,7 +210,7 @@ def spectrum(designs: Designs, Omega: Any, F_0: Any, workers: int = 1) -> Batch:
         designs.mechanism,
         {name: value[..., np.newaxis] for name, value in designs.values.items()},
         designs.excitation,
-        designs.rubs,
+        designs.contact,
     )
     arguments = {"Omega": Omega, "F_0": F_0}
     states = _with_all(partial(rows.amplitudes, **arguments, workers=workers))
@@ -268,7 +268,7 @@ def _sides(
     new = np.ones(which.size, dtype=bool)
     new[1:] = np.any([value[1:] != value[:-1] for value in own], axis=0)
     values = {name: value[which][new] for name, value in spread.items()}
-    designs = Designs(rows.mechanism, values, rows.excitation, rows.rubs)
+    designs = Designs(rows.mechanism, values, rows.excitation, rows.contact)
     folds = _with_all(partial(designs.saddle_nodes, F_0[new], workers=workers))
     of = np.cumsum(new) - 1
     failed = np.isin(folds.status[of], FAILED)

@@ -147,7 +147,7 @@ class Batch(Answer, OfDesigns):
 
     def about(self) -> dict[str, Any]:
         """Return the mechanism, the shape of the designs, and where friction acts if not throughout."""
-        friction = {} if self._designs.rubs == THROUGHOUT else {"rubs": self._designs.rubs}
+        friction = {} if self._designs.contact == THROUGHOUT else {"contact": self._designs.contact}
         return {"mechanism": self._designs.mechanism.name, "shape": self.status.shape, **friction}
 
     # ---- what follows from the columns
@@ -199,7 +199,7 @@ class Batch(Answer, OfDesigns):
     def _has_remarks(self) -> Flags:
         """Which designs may have remarks: those whose mass moves, or may."""
         designs = self._designs
-        always = designs.excitation != "force" or getattr(designs, "rubs", THROUGHOUT) != THROUGHOUT
+        always = designs.excitation != "force" or getattr(designs, "contact", THROUGHOUT) != THROUGHOUT
         # a preload holds a mass up to more than friction does, beside motions of other frequencies
         with np.errstate(over="ignore"):  # infinite friction holds all
             exceeds = always | (np.asarray(self._F_0) > slow_flow.friction(np.asarray(designs.values["mu"])))
@@ -241,8 +241,8 @@ class Batch(Answer, OfDesigns):
         designs = self._designs
         names = [one.name for one in (*DAMPING, *(DISSIPATION if designs.laws else ()))]
         damping = (np.asarray(designs.values.get(name, 0.0), dtype=float) for name in names)
-        rubs = designs.rubs if designs.laws else None
-        return Design(designs.mechanism, (*designs.design, *damping), designs.excitation, rubs)
+        contact = designs.contact if designs.laws else None
+        return Design(designs.mechanism, (*designs.design, *damping), designs.excitation, contact)
 
     def _has(self, name: str, *questions: str) -> None:
         """Raises NoAttribute where the answer has nothing of this name."""

@@ -214,7 +214,7 @@ def at_rest(oscillator: Any) -> AtRest:
     force = oscillator.restoring_force(None if only else "untruncated")
     laws, constants = [piece.law for piece in force.pieces], force.pieces[0].constants
     within = float(rests_within(laws, constants, force.breakpoints, oscillator.mu_s))
-    if model.laws.rubs != THROUGHOUT:
+    if model.laws.contact != THROUGHOUT:
         within = min(within, model.breakpoints[0])
     return AtRest(
         math.sqrt(stiffness) if stiffness >= 0 else None,

@@ -131,7 +131,7 @@ def of_designs(flow: SlowFlow, force: Any, Omega: Any, A: Any, corner: Any) -> C
     # at rest h_A is the stiffness with its sign turned, and h is 4/pi times a preload
     pull, at_rest = (np.asarray(value) for value in mechanism.at_rest(*parameters)[:2])
     # what is excited by inertia nothing holds at every frequency, see `Model.holds`
-    may_hold = ((pull < 0) | (flow.laws.rubs != THROUGHOUT)) & (not flow.inertial)
+    may_hold = ((pull < 0) | (flow.laws.contact != THROUGHOUT)) & (not flow.inertial)
     break_loose = np.where(may_hold, flow.break_loose, -np.inf)
     on_jump = np.zeros(A.shape[:-1], dtype=bool)
     if mechanism.truncated and corner is not None:

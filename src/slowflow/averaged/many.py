@@ -190,7 +190,7 @@ class Designs(Unchanging, ManyQuestions[Batch]):
     values    -- the parameters of its design by name, mu, zeta, and those of `DISSIPATION` that are used; real arrays
             that broadcast
     excitation -- kind of excitation with the amplitude F_0, the same for all: "force", "base" or "unbalance"
-    rubs      -- where dry friction acts, the same for all: "throughout" or "attached"
+    contact      -- where dry friction acts, the same for all: "throughout" or "attached"
 
     Raises TypeError for a name that is missing or unknown.
     """
@@ -199,21 +199,21 @@ class Designs(Unchanging, ManyQuestions[Batch]):
     values: dict[str, npt.NDArray[Any]]
     shape: tuple[int, ...]
     excitation: str
-    rubs: str
+    contact: str
 
     def __init__(
-        self, mechanism: Mechanism, values: dict[str, Any], excitation: str = "force", rubs: str = THROUGHOUT
+        self, mechanism: Mechanism, values: dict[str, Any], excitation: str = "force", contact: str = THROUGHOUT
     ) -> None:
         names = check_names(mechanism, values, DISSIPATION)
         numbers = {name: validate.real_array(name, values[name]) for name in names}
         # not by attribute: these cannot be set
-        self.__dict__.update(mechanism=mechanism, excitation=excitation, rubs=rubs, values=numbers)
+        self.__dict__.update(mechanism=mechanism, excitation=excitation, contact=contact, values=numbers)
         self.__dict__["shape"] = validate.common_shape(numbers)
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Designs):
             return NotImplemented
-        settings = attrgetter("mechanism", "excitation", "rubs")
+        settings = attrgetter("mechanism", "excitation", "contact")
         return settings(self) == settings(other) and same(self.values, other.values)
 
     def __hash__(self) -> int:
@@ -229,7 +229,7 @@ class Designs(Unchanging, ManyQuestions[Batch]):
         """A description of the damping laws other than mu and zeta; empty without."""
         values = ((one.name, self.values[one.name]) for one in DISSIPATION if one.name in self.values)
         texts = [f"{name} = {value}" if value.ndim == 0 else f"an array of {name}" for name, value in values]
-        return ", ".join(texts if self.rubs == THROUGHOUT else [*texts, f"rubs = {self.rubs!r}"])
+        return ", ".join(texts if self.contact == THROUGHOUT else [*texts, f"contact = {self.contact!r}"])
 
     @cached_property
     def _flow(self) -> SlowFlow:
@@ -238,13 +238,13 @@ class Designs(Unchanging, ManyQuestions[Batch]):
             one.name: np.asarray(self.values.get(one.name, 0.0), dtype=float) for one in (*DAMPING, *DISSIPATION)
         }
         mu, zeta = (damping.pop(one.name) for one in DAMPING)
-        laws = Laws(rubs=self.rubs, **damping)  # type: ignore[arg-type]
+        laws = Laws(contact=self.contact, **damping)  # type: ignore[arg-type]
         return SlowFlow(self.mechanism, self._parameters, mu, zeta, self.excitation, laws)
 
     def model(self, numbers: dict[str, float]) -> Model:
         """Model of one design, from numbers by name. Raises ValueError for one outside its domain."""
         own = dict(numbers)
-        laws = Laws.of(self.rubs, **{one.name: own.pop(one.name, 0.0) for one in DISSIPATION})
+        laws = Laws.of(self.contact, **{one.name: own.pop(one.name, 0.0) for one in DISSIPATION})
         return Model.of(self.mechanism, own, self.excitation, laws)
 
     def _ask(self, question: str, /, *, workers: int = 1, **kwargs: Any) -> Batch:
@@ -386,7 +386,7 @@ class Designs(Unchanging, ManyQuestions[Batch]):
         load = self.mechanism.load_untruncated
         if load is not None and selected.any():
             chosen = {name: np.broadcast_to(value, self.shape)[selected] for name, value in self.values.items()}
-            F_SN[selected] = Designs(load(), chosen, self.excitation, self.rubs).saddle_node_onset().F_SN
+            F_SN[selected] = Designs(load(), chosen, self.excitation, self.contact).saddle_node_onset().F_SN
         return F_SN
 
     @property
@@ -454,7 +454,7 @@ class Designs(Unchanging, ManyQuestions[Batch]):
     def _with_all_laws(self, values: dict[str, npt.NDArray[Any]]) -> list[npt.NDArray[Any]]:
         """What a record with laws of damping takes: design, mu, zeta, the others, whether friction ends; then F_0."""
         names = [domain.name for domain in (*self.mechanism.design, *DAMPING, *DISSIPATION)]
-        ends = np.array(float(self.rubs != THROUGHOUT))
+        ends = np.array(float(self.contact != THROUGHOUT))
         arguments = (value for name, value in values.items() if name not in self.values)
         return [*(values.get(name, np.zeros(())) for name in names), ends, *arguments]
 

@@ -228,7 +228,7 @@ def unresolved_onset(model: Model) -> str:
     if model.laws.c_2 > 0 and model.laws.eta == 0:
         quadratic_only = model.zeta + model.m == 0
         plays = [b for b in model.breakpoints if model.averaged(b)[0] == model.averaged(b)[1] == 0]
-        if plays and (quadratic_only or (model.laws.rubs != THROUGHOUT and not model.inertial)):
+        if plays and (quadratic_only or (model.laws.contact != THROUGHOUT and not model.inertial)):
             return SLIDES_FREE.format(plays[-1], 0.0)
         if quadratic_only and model.inertial:
             return BALANCED

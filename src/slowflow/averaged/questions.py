@@ -78,7 +78,7 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
         """Amplitude of the excitation up to which a mass at rest sticks at every frequency: 4 mu/pi (27).
 
         With a preload c sign(u) it is 4/pi sqrt(mu^2 + c^2), the limit of F_0 as A tends to 0; above 4 mu/pi, or less
-        with rubs="attached", motions may coexist with the mass at rest, and a message reports them. It is 0 for base
+        with contact="attached", motions may coexist with the mass at rest, and a message reports them. It is 0 for base
         excitation and unbalance, which move the mass from Omega = sqrt(4 mu/(pi F_0)) on, however small they are.
         """
         return 0.0 if self.model.inertial else self.model.break_loose
@@ -368,9 +368,9 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
         Raises
         ------
         ValueError
-            For rubs="attached": beyond u_cr the friction term of I decreases, and I = F_0 has no closed form.
+            For contact="attached": beyond u_cr the friction term of I decreases, and I = F_0 has no closed form.
         """
-        if self.model.laws.rubs != THROUGHOUT:
+        if self.model.laws.contact != THROUGHOUT:
             validate.is_plain("limit_envelope", self.model.laws.description())
         Omega, F_0 = validate.positive_array("Omega", Omega), validate.positive_array("F_0", F_0)
         shape = validate.common_shape({"Omega": Omega, "F_0": F_0})
@@ -507,7 +507,7 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
             raise Refused(f"question = {question!r} is not allowed: it must be one of {allowed}")
         if question == "certify":
             self._check_proof()
-        if question == "limit_envelope" and self.model.laws.rubs != THROUGHOUT:
+        if question == "limit_envelope" and self.model.laws.contact != THROUGHOUT:
             validate.is_plain(question, self.model.laws.description())
         return plan.plan(question, plan.forcing(question, F_0), self.model, self.__dict__.get("_onset"))
 

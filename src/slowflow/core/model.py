@@ -23,7 +23,7 @@ from slowflow.support.text import Sentence, listed, text
 from slowflow_kernels import dissipation, inertia
 from slowflow_kernels import slow_flow as general_flow
 from slowflow_kernels.conventions import LARGEST
-from slowflow_kernels.domains import DAMPING, DISSIPATION, RUBS
+from slowflow_kernels.domains import CONTACTS, DAMPING, DISSIPATION
 from slowflow_kernels.scenes import flow_of
 
 __all__ = ["Floats", "Laws", "Model", "check_names"]
@@ -65,7 +65,7 @@ def check_names(mechanism: Mechanism, values: Mapping[str, Any], optional: tuple
 
 
 #: where dry friction acts unless it is said
-THROUGHOUT = next(iter(RUBS))
+THROUGHOUT = next(iter(CONTACTS))
 
 
 @dataclass(frozen=True)
@@ -76,21 +76,21 @@ class Laws:
     c_2    -- quadratic damping, c_2 |u'|u'
     c_3    -- cubic damping, c_3 u'^3
     zeta_2 -- viscous damping that grows with the displacement, 2 (zeta + zeta_2 u^2) u'
-    rubs   -- where dry friction acts, a key of `RUBS`
+    contact   -- where dry friction acts, a key of `CONTACTS`
     """
 
     eta: float = 0.0
     c_2: float = 0.0
     c_3: float = 0.0
     zeta_2: float = 0.0
-    rubs: str = THROUGHOUT
+    contact: str = THROUGHOUT
 
     @classmethod
-    def of(cls, rubs: Any, **numbers: Any) -> Laws:
+    def of(cls, contact: Any, **numbers: Any) -> Laws:
         """From what a user gives. Raises ValueError for a number outside its domain, or another word."""
-        where = validate.choice("rubs", rubs, tuple(RUBS))
+        where = validate.choice("contact", contact, tuple(CONTACTS))
         values = {domain.name: validate.within(domain, numbers.get(domain.name, 0.0)) for domain in DISSIPATION}
-        return cls(rubs=where, **values) if any(values.values()) or where != THROUGHOUT else NO_LAWS
+        return cls(contact=where, **values) if any(values.values()) or where != THROUGHOUT else NO_LAWS
 
     @property
     def numbers(self) -> dict[str, Any]:
@@ -154,7 +154,7 @@ class SlowFlow:
     def each(self, function: Callable[[Any], Any]) -> SlowFlow:
         """That of others, by a function of each number."""
         parameters = tuple(map(function, self.parameters))
-        laws = Laws(rubs=self.laws.rubs, **{name: function(value) for name, value in self.laws.numbers.items()})
+        laws = Laws(contact=self.laws.contact, **{name: function(value) for name, value in self.laws.numbers.items()})
         return SlowFlow(self.mechanism, parameters, function(self.mu), function(self.zeta), self.excitation, laws)
 
     @cached_property
@@ -222,7 +222,7 @@ class SlowFlow:
     def at_rest(self, A: Any) -> tuple[Floats, ...]:
         """The part of I (23) that knows no frequency, and three derivatives by A; shapes that broadcast."""
         within: tuple[Floats, ...] = dissipation.at_rest(A, self.m, self.laws.eta)
-        if self.laws.rubs == THROUGHOUT:
+        if self.laws.contact == THROUGHOUT:
             return within
         u_cr = self.breakpoints[0]
         released = dissipation.released(np.maximum(A, u_cr), self.m, self.laws.eta, u_cr)
@@ -337,7 +337,7 @@ class Model(SlowFlow):
     def __post_init__(self) -> None:
         if self.inertial:
             self._check_inertia()
-        if self.laws.rubs != THROUGHOUT and self.zeta == self.laws.eta == self.laws.c_2 == 0:
+        if self.laws.contact != THROUGHOUT and self.zeta == self.laws.eta == self.laws.c_2 == 0:
             raise Refused(
                 self.laws.description() + " is not allowed without zeta, eta or c_2: nothing would dissipate beyond"
             )
@@ -346,7 +346,7 @@ class Model(SlowFlow):
                 raise Refused(f"{listed({name: self.laws.present[name]})} is not allowed with zeta = 0: {WITHOUT_ZETA}")
         laws: tuple[float, ...] = ()
         if self.laws.any:
-            laws = *self.laws.numbers.values(), float(self.laws.rubs != THROUGHOUT)
+            laws = *self.laws.numbers.values(), float(self.laws.contact != THROUGHOUT)
         damping = self.mu, self.zeta, *laws
         native = backend.compiled_model(self.mechanism, self.parameters, damping, self.design, self.inertial)
         m, breakpoints, jumps = self._prepared() if native is None else backend.SOLVER.prepared(native)
@@ -380,7 +380,7 @@ class Model(SlowFlow):
         self._check_preload(laws)
         if odd and not math.isfinite(self.mechanism.pieces[0].slope(0.0, *self.parameters)):
             raise Refused(STIFF.format(laws, self.mechanism.name))
-        if self.laws.rubs != THROUGHOUT and not self.breakpoints:
+        if self.laws.contact != THROUGHOUT and not self.breakpoints:
             raise Refused(
                 laws + f" is not allowed for {self.mechanism.name}: its force has one piece, nothing detaches"
             )
@@ -473,7 +473,7 @@ class Model(SlowFlow):
 
     def sticks(self, F_0: float) -> bool:
         """Whether friction leaves no motion at any frequency (27)."""
-        return F_0 <= self.m and not self.inertial and self.laws.rubs == THROUGHOUT
+        return F_0 <= self.m and not self.inertial and self.laws.contact == THROUGHOUT
 
     @cached_property
     def break_loose(self) -> float:
@@ -485,7 +485,7 @@ class Model(SlowFlow):
 
         A preload makes them, and friction that ends at u_cr: beyond, its share m u_cr/A may be as little as one asks.
         """
-        has_motions = self.preload > 0 or self.laws.rubs != THROUGHOUT
+        has_motions = self.preload > 0 or self.laws.contact != THROUGHOUT
         return has_motions and not self.inertial and F_0 <= self.break_loose
 
     @cached_property

@@ -165,7 +165,7 @@ def system_of(designs: Any, numbers: dict[str, float], load: float = 0.0) -> Equ
     """
     model = designs.model(numbers)
     force = followed(Force.of(designs.mechanism, model.parameters), designs.mechanism.name)
-    released = model.laws.rubs != THROUGHOUT
+    released = model.laws.contact != THROUGHOUT
     return EquationOfMotion(force, model.mu, model.zeta, load=load, released=released, **model.laws.numbers)
 
 

@@ -12,33 +12,33 @@ from slowflow.core import validate
 from slowflow.core.mechanism import Mechanism
 from slowflow.core.model import THROUGHOUT, WITH_MEAN, off_centre_by
 from slowflow.grid.many import Designs
-from slowflow_kernels.domains import EXCITATIONS, RUBS
+from slowflow_kernels.domains import CONTACTS, EXCITATIONS
 
 
 def designs_of(
-    mechanism: Mechanism, values: dict[str, Any], laws: dict[str, Any], rubs: str, excitation: str, load: Any
+    mechanism: Mechanism, values: dict[str, Any], laws: dict[str, Any], contact: str, excitation: str, load: Any
 ) -> ManyQuestions[Any]:
     """Make designs of a mechanism from numbers by name; labelled arrays make a map.
 
     laws -- eta, c_2, ...: a plain 0 means absent, as for load
     """
     validate.excitation(excitation, tuple(EXCITATIONS))
-    validate.choice("rubs", rubs, tuple(RUBS))
+    validate.choice("contact", contact, tuple(CONTACTS))
     values |= {name: value for name, value in laws.items() if not _is_none(value)}
     if not mechanism.odd or not _is_none(load):
         why = off_centre_by(mechanism, 0.0) or "load"
         others = [name for name in laws if name in values and name not in WITH_MEAN]
-        validate.is_plain(why, ", ".join([*others, *[f"rubs = {rubs!r}"] * (rubs != THROUGHOUT)]))
+        validate.is_plain(why, ", ".join([*others, *[f"contact = {contact!r}"] * (contact != THROUGHOUT)]))
         values["load"] = load
     if any(validate.is_labelled(value) for value in values.values()):
         from slowflow.grid.designs import Grid
 
-        return Grid(mechanism, values, excitation, rubs)
+        return Grid(mechanism, values, excitation, contact)
     if "load" in values:
         from slowflow.grid.offset import OffCentreDesigns
 
         return OffCentreDesigns(mechanism, values, excitation)
-    return Designs(mechanism, values, excitation, rubs)
+    return Designs(mechanism, values, excitation, contact)
 
 
 def _is_none(value: Any) -> bool:

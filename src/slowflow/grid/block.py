@@ -45,7 +45,7 @@ def made_by(mechanism: Mechanism) -> dict[str, str]:
 class Ask:
     """A question about designs, asked block by block.
 
-    excitation, rubs -- what F_0 is the amplitude of, and where dry friction acts
+    excitation, contact -- what F_0 is the amplitude of, and where dry friction acts
     depth   -- by what it is answered without a load, `AVERAGING` or `SECOND`
     names   -- of the numbers that it is called with: the design's, mu, zeta and those of other laws of damping, a load,
                and what the question takes beside these
@@ -58,7 +58,7 @@ class Ask:
 
     mechanism: Mechanism
     excitation: str
-    rubs: str
+    contact: str
     question: str
     depth: str
     names: tuple[str, ...]
@@ -94,7 +94,7 @@ class Ask:
     def _designs(self, numbers: dict[str, Any]) -> ManyQuestions[Any]:
         if "load" in numbers:
             return OffCentreDesigns(self.mechanism, numbers, self.excitation)
-        designs = Designs(self.mechanism, numbers, self.excitation, self.rubs)
+        designs = Designs(self.mechanism, numbers, self.excitation, self.contact)
         return designs if self.depth == AVERAGING else SecondDesigns(designs)
 
 
@@ -112,7 +112,7 @@ def lengths(row: Question, system: str, options: Mapping[str, Any], rows: int) -
 def of_map(ask: Ask) -> dict[str, Any]:
     """Of a whole map."""
     about = {"mechanism": ask.mechanism.name, "title": ask.mechanism.title, "excitation": ask.excitation}
-    about |= {"question": ask.question, **({} if ask.rubs == THROUGHOUT else {"rubs": ask.rubs})}
+    about |= {"question": ask.question, **({} if ask.contact == THROUGHOUT else {"contact": ask.contact})}
     return {**about, "depth": ask.depth, **ask.made_by}
 
 

@@ -41,7 +41,7 @@ class Grid(Unchanging, ManyQuestions[Any]):
     values    -- the parameters of its design by name, mu and zeta, and eta and c_2 if used: DataArrays, which broadcast
             by the names of their axes; or dask and NumPy arrays, which broadcast by position, with axes "design_0" and
             so on
-    excitation, rubs -- as in `slowflow.averaged.many.Designs`
+    excitation, contact -- as in `slowflow.averaged.many.Designs`
 
     An answer has the columns of a batch, including `remarks`, over all axes, with the parameters as coordinates;
     coordinates of axes are kept. It is computed at once, unless a parameter is a dask array: then by `.compute()`.
@@ -53,13 +53,13 @@ class Grid(Unchanging, ManyQuestions[Any]):
 
     mechanism: Mechanism
     excitation: str
-    rubs: str
+    contact: str
     values: dict[str, Any]
     _parameters: dict[str, Any]
     _depth: str
 
     def __init__(
-        self, mechanism: Mechanism, values: Mapping[str, Any], excitation: str = "force", rubs: str = THROUGHOUT
+        self, mechanism: Mechanism, values: Mapping[str, Any], excitation: str = "force", contact: str = THROUGHOUT
     ) -> None:
         own = {name: value for name, value in values.items() if name != "load"}
         parameters = {name: own[name] for name in check_names(mechanism, own, DISSIPATION)}
@@ -67,18 +67,18 @@ class Grid(Unchanging, ManyQuestions[Any]):
             check_polynomial(mechanism)
             parameters["load"] = values["load"]
         # not by attribute: these cannot be set
-        self.__dict__.update(mechanism=mechanism, excitation=excitation, rubs=rubs, values=labelled(parameters))
+        self.__dict__.update(mechanism=mechanism, excitation=excitation, contact=contact, values=labelled(parameters))
         self.__dict__.update(_parameters=parameters, _depth=AVERAGING)
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Grid):
             return NotImplemented
-        own = (self.mechanism, self.excitation, self.rubs, self._depth, *self.values)
-        theirs = (other.mechanism, other.excitation, other.rubs, other._depth, *other.values)
+        own = (self.mechanism, self.excitation, self.contact, self._depth, *self.values)
+        theirs = (other.mechanism, other.excitation, other.contact, other._depth, *other.values)
         return own == theirs and all(value.identical(other.values[name]) for name, value in self.values.items())
 
     def __hash__(self) -> int:
-        return hash((self.mechanism, self.excitation, self.rubs, self._depth, *self.sizes.items()))
+        return hash((self.mechanism, self.excitation, self.contact, self._depth, *self.sizes.items()))
 
     @cached_property
     def second_approximation(self) -> Grid:
@@ -94,7 +94,7 @@ class Grid(Unchanging, ManyQuestions[Any]):
     def _laws(self) -> str:
         """The damping laws other than mu and zeta, by name; empty without."""
         names = [one.name for one in DISSIPATION if one.name in self._parameters]
-        return ", ".join(names if self.rubs == THROUGHOUT else [*names, f"rubs = {self.rubs!r}"])
+        return ", ".join(names if self.contact == THROUGHOUT else [*names, f"contact = {self.contact!r}"])
 
     @property
     def sizes(self) -> dict[str, int]:
@@ -163,7 +163,7 @@ class Grid(Unchanging, ManyQuestions[Any]):
             options["psd"] = [np.asarray(row, dtype=float).tolist() for row in options["psd"]]
         values, tables = self._with(entry, arguments)
         rows = max((values[name].sizes["row"] for name in tables if "row" in values[name].dims), default=1)
-        own = self.mechanism, self.excitation, self.rubs, question, self._depth, tuple(values)
+        own = self.mechanism, self.excitation, self.contact, question, self._depth, tuple(values)
         more = tuple(options.items()), tables, lengths(entry, system, options, rows)
         found = Ask(*own, *more, workers, made_by(self.mechanism))
         axes = {dim for name, value in values.items() for dim in value.dims if dim != entry.argument_axes.get(name)}

@@ -212,7 +212,7 @@ def _identity(ask: Ask, values: Mapping[str, Any], sizes: Mapping[str, int]) -> 
     found: dict[str, Any] = {"mechanism": ask.mechanism.name, "question": ask.question, **dict(ask.options)}
     # a record that was changed keeps its name
     found["record"] = hashlib.sha256(pickle.dumps(ask.mechanism)).hexdigest()[:16]
-    found |= {} if ask.rubs == THROUGHOUT else {"rubs": ask.rubs}
+    found |= {} if ask.contact == THROUGHOUT else {"contact": ask.contact}
     found |= {"excitation": ask.excitation, "depth": ask.depth, **ask.made_by, "axes": list(sizes.items())}
     for name, value in values.items():
         dims = _dims(value, sizes)

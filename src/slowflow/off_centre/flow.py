@@ -31,7 +31,7 @@ class Flow(SlowFlow):
     @classmethod
     def of(cls, flow: SlowFlow) -> Flow:
         """Of an oscillator, wherever its friction acts."""
-        laws = replace(flow.laws, rubs=THROUGHOUT)
+        laws = replace(flow.laws, contact=THROUGHOUT)
         return cls(flow.mechanism, flow.parameters, flow.mu, flow.zeta, flow.excitation, laws)
 
     @property

@@ -87,7 +87,7 @@ class Isolator(Oscillator):
     All numbers are dimensionless (4): stiffnesses over k_v, lengths over L, forces over k_v L.
 
 {described((*ROD_SPRING.design, *DAMPING, *DISSIPATION))}
-    rubs -- "throughout", or "attached": dry friction acts while the springs touch the push-rod, |u| < u_cr
+    contact -- "throughout", or "attached": dry friction acts while the springs touch the push-rod, |u| < u_cr
     mu_s -- static friction, as in `Oscillator`
     force -- the averaged force: "truncated" for the fifth-order polynomial (6), which jumps at u_cr, "untruncated" for
         the force as the geometry gives it (5)
@@ -119,7 +119,7 @@ class Isolator(Oscillator):
         c_2: float = 0.0,
         c_3: float = 0.0,
         zeta_2: float = 0.0,
-        rubs: str = THROUGHOUT,
+        contact: str = THROUGHOUT,
         mu_s: float = 0.0,
         force: str = "truncated",
         excitation: str = "force",
@@ -127,7 +127,7 @@ class Isolator(Oscillator):
     ) -> None:
         design = {"lam": lam, "r": r, "delta_h": delta_h}
         damping = {"mu": mu, "zeta": zeta, "eta": eta, "c_2": c_2, "c_3": c_3, "zeta_2": zeta_2}
-        super().__init__(_averaged(force), rubs=rubs, mu_s=mu_s, excitation=excitation, **damping, **design)
+        super().__init__(_averaged(force), contact=contact, mu_s=mu_s, excitation=excitation, **damping, **design)
         if self.delta_h == 0:  # the springs never touch the rod: a linear spring without a breakpoint
             self.__dict__["model"] = Model(
                 DUFFING, LINEAR, self.mu, self.zeta, design=LINEAR, excitation=excitation, laws=self.model.laws
@@ -166,7 +166,7 @@ class Isolator(Oscillator):
         c_2: Any = 0.0,
         c_3: Any = 0.0,
         c_xx: Any = 0.0,
-        rubs: str = THROUGHOUT,
+        contact: str = THROUGHOUT,
         static_friction: Any = None,
         load: Any = None,
         force: str = "untruncated",
@@ -204,7 +204,7 @@ class Isolator(Oscillator):
             Cubic damping, the factor of the cubed velocity.
         c_xx : float, N s/m^3
             Growth of the viscous damping with the squared displacement, (c + c_xx x^2) x', as of a horizontal damper.
-        rubs : str
+        contact : str
             Where friction acts: "throughout", or "attached", while the springs touch the push-rod.
         static_friction : float, N
             Break-loose force, if larger than `friction`; used by exact motions only.
@@ -225,7 +225,7 @@ class Isolator(Oscillator):
         ------
         ValueError
             For a number outside its domain, for combinations of damping laws as in `Isolator`, and for a load with
-            rubs="attached", for which offset motions are not derived.
+            contact="attached", for which offset motions are not derived.
         """
         excitation = validate.excitation(excitation, tuple(EXCITED))
         mounts = validate.count("mounts", mounts, least=1)
@@ -243,9 +243,9 @@ class Isolator(Oscillator):
             static_force = si("static_friction", static_friction, "N")
             static = validate.number("static_friction", static_force, least=known["friction"])
             mu_s = max(mu, static * mounts / scales.of(SCALES["mu"]))
-        laws = Laws.of(rubs, **numbers)
+        laws = Laws.of(contact, **numbers)
         with scales.in_these_terms():
-            isolator = cls(force=force, excitation=scales.of_oscillator, rubs=laws.rubs, mu_s=mu_s, **numbers)
+            isolator = cls(force=force, excitation=scales.of_oscillator, contact=laws.contact, mu_s=mu_s, **numbers)
         range_checks.warn(range_checks.of_mount(known, isolator.zeta, mounts), stacklevel=3)
         arguments = {"m": m, "k_v": k_v, "k_h": k_h, "n": n, "L": L, "preload": preload, "friction": friction}
         arguments |= {"mounts": mounts} if mounts > 1 else {}
@@ -273,7 +273,7 @@ class Isolator(Oscillator):
         c_2: Any = 0.0,
         c_3: Any = 0.0,
         zeta_2: Any = 0.0,
-        rubs: str = THROUGHOUT,
+        contact: str = THROUGHOUT,
         force: str = "truncated",
         excitation: str = "force",
         load: Any = 0.0,
@@ -288,7 +288,7 @@ class Isolator(Oscillator):
         """
         numbers = {"lam": lam, "r": r, "delta_h": delta_h, "mu": mu, "zeta": zeta}
         numbers |= {"eta": eta, "c_2": c_2, "c_3": c_3, "zeta_2": zeta_2}
-        return super().many(_averaged(force), rubs=rubs, excitation=excitation, load=load, **numbers)
+        return super().many(_averaged(force), contact=contact, excitation=excitation, load=load, **numbers)
 
 
 class Duffing(Oscillator):
@@ -322,8 +322,8 @@ class Duffing(Oscillator):
         load: float = 0.0,
     ) -> None:
         damping = {"mu": mu, "zeta": zeta, "eta": eta, "c_2": c_2, "c_3": c_3, "zeta_2": zeta_2, "mu_s": mu_s}
-        rubs = THROUGHOUT  # one piece, without springs that detach
-        super().__init__(DUFFING, alpha=alpha, beta=beta, rubs=rubs, excitation=excitation, load=load, **damping)
+        contact = THROUGHOUT  # one piece, without springs that detach
+        super().__init__(DUFFING, alpha=alpha, beta=beta, contact=contact, excitation=excitation, load=load, **damping)
         del self.given["mechanism"]
 
     @classmethod

@@ -64,7 +64,7 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         Structural damping, the loss factor of the vertical spring; quadratic damping c_2 |u'|u', over m/L, and cubic
         damping c_3 u'^3; viscous damping that grows with the displacement, 2 (zeta + zeta_2 u^2) u'. All >= 0; the
         last two need zeta > 0.
-    rubs : {"throughout", "attached"}
+    contact : {"throughout", "attached"}
         Where dry friction acts: at all u, or for |u| below the first breakpoint only.
     mu_s : float
         Static friction over k_v L, >= mu: it holds a mass at rest in exact motions; averaging does not use it.
@@ -87,9 +87,9 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
 
     Notes
     -----
-    With eta, c_2, c_3, zeta_2 or rubs="attached" there are no proofs and no second approximation; with eta > 0, which
-    is defined at one frequency, there are no shocks and no random vibration. Oscillators are immutable: each parameter
-    can be read by its name, and `replace` returns a changed copy.
+    With eta, c_2, c_3, zeta_2 or contact="attached" there are no proofs and no second approximation; with eta > 0,
+    which is defined at one frequency, there are no shocks and no random vibration. Oscillators are immutable: each
+    parameter can be read by its name, and `replace` returns a changed copy.
     """
 
     stays = "oscillators are immutable"
@@ -101,7 +101,7 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
     c_2: float
     c_3: float
     zeta_2: float
-    rubs: str
+    contact: str
     mu_s: float
     excitation: str
     load: float
@@ -116,14 +116,14 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         c_2: float = 0.0,
         c_3: float = 0.0,
         zeta_2: float = 0.0,
-        rubs: str = THROUGHOUT,
+        contact: str = THROUGHOUT,
         mu_s: float = 0.0,
         excitation: str = "force",
         load: float = 0.0,
         **design: float,
     ) -> None:
         values = {**design, "mu": mu, "zeta": zeta}
-        laws = Laws.of(rubs, eta=eta, c_2=c_2, c_3=c_3, zeta_2=zeta_2)
+        laws = Laws.of(contact, eta=eta, c_2=c_2, c_3=c_3, zeta_2=zeta_2)
         known_as = validate.excitation(excitation, tuple(EXCITATIONS))
         if not mechanism.odd:  # nothing is averaged about the centre, which these would be asked of
             self._check_offset(off_centre_by(mechanism, 0.0), laws)
@@ -136,7 +136,7 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         self.__dict__.update(
             own, design=model.design, given={**arguments, **laws.present}, excitation=known_as, load=0.0
         )
-        self.__dict__.update(laws.numbers, rubs=laws.rubs, mu_s=model.mu)
+        self.__dict__.update(laws.numbers, contact=laws.contact, mu_s=model.mu)
         if isinstance(mu_s, np.ndarray) or mu_s != 0:
             if not (static := validate.number("mu_s", mu_s, least=0.0)) >= self.mu:
                 raise Refused(text(LESS_THAN_MU, static, self.mu))
@@ -298,7 +298,7 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         """
         if which not in self._equations:
             laws, force = self.model.laws, followed(self.restoring_force(which), self.model.mechanism.name)
-            others = {"released": laws.rubs != THROUGHOUT, "mu_s": self.given.get("mu_s", 0.0), **laws.numbers}
+            others = {"released": laws.contact != THROUGHOUT, "mu_s": self.given.get("mu_s", 0.0), **laws.numbers}
             at = self.mu, self.zeta, self.model.inertial, self.load
             self._equations[which] = EquationOfMotion(force, *at, **others)
         return self._equations[which]
@@ -540,7 +540,7 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         ------
         ValueError
             If both or neither of S_0 and psd are given; without zeta and mu (under white noise c_2 suffices, under a
-            psd mu with rubs="attached" does not); for eta > 0.
+            psd mu with contact="attached" does not); for eta > 0.
         ArithmeticError
             Where there is no stationary motion; under a load also if the spring force does not exceed it far away.
         """
@@ -593,7 +593,7 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         c_2: Any = 0.0,
         c_3: Any = 0.0,
         zeta_2: Any = 0.0,
-        rubs: str = THROUGHOUT,
+        contact: str = THROUGHOUT,
         excitation: str = "force",
         load: Any = 0.0,
         **design: Any,
@@ -608,7 +608,7 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         from slowflow.grid import designs_of
 
         values, laws = {**design, "mu": mu, "zeta": zeta}, {"eta": eta, "c_2": c_2, "c_3": c_3, "zeta_2": zeta_2}
-        return designs_of(mechanism, values, laws, rubs, excitation, load)
+        return designs_of(mechanism, values, laws, contact, excitation, load)
 
 
 def _remade(kind: type[Oscillator], arguments: dict[str, Any]) -> Oscillator:

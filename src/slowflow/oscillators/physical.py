@@ -79,8 +79,8 @@ class Physical(TakesAmplitude):
         Parameters
         ----------
         **changes : array_like
-            Data by the names of `Isolator.physical` or `Duffing.physical`, in SI units; `mounts`, `rubs`, `force` and
-            `excitation` are the same for all mounts.
+            Data by the names of `Isolator.physical` or `Duffing.physical`, in SI units; `mounts`, `contact`, `force`
+            and `excitation` are the same for all mounts.
 
         Returns
         -------

@@ -75,7 +75,7 @@ if TYPE_CHECKING:
 
 
 #: data that are the same for all mounts
-SETTINGS = ("mounts", "rubs", "force", "excitation")
+SETTINGS = ("mounts", "contact", "force", "excitation")
 NO_MAPS = "many mounts take plain arrays, maps over named axes are made by `Isolator.many` or `Duffing.many`"
 #: a density that has no customary unit
 WHITE_NOISE = "S_0"
@@ -249,7 +249,7 @@ class PhysicalDesigns(TakesAmplitude, Unchanging):
     def designs(self) -> Any:
         """The dimensionless designs."""
         scales, numbers = self.dimensionless
-        settings = {name: word for name, word in self.settings.items() if name in ("rubs", "force")}
+        settings = {name: word for name, word in self.settings.items() if name in ("contact", "force")}
         found = self._kind.many(**numbers, **settings, excitation=scales.of_oscillator)
         return found.second_approximation if self.second else found
 

@@ -28,7 +28,7 @@ DAMPED_BY = "mu", "zeta", "c_2", "c_3", "zeta_2", "released", "load"
 def answer(designs: Designs, S_0: Any, psd: Any, places: int, workers: int = 1) -> Batch:
     """See `random` of `slowflow.answers.table.ManyQuestions`."""
     validate.is_in_time("random", designs.values)
-    released = designs.rubs != THROUGHOUT
+    released = designs.contact != THROUGHOUT
     excitation = excited_by(None if S_0 is None else 1.0, psd)
     places, threads = validate.count("places", places, least=1), validate.workers(workers)
     power = {} if S_0 is None else {"S_0": validate.real_array("S_0", S_0)}
@@ -87,7 +87,7 @@ def _are_designs(designs: Designs, workers: int) -> Any:
     if not designs.mechanism.odd:
         return True
     numbers = {name: value for name, value in designs.values.items() if name != "load"}
-    centred = Designs(designs.mechanism, numbers, designs.excitation, designs.rubs)
+    centred = Designs(designs.mechanism, numbers, designs.excitation, designs.contact)
     return centred.detachment(workers=workers).status != Status.INVALID
 
 

@@ -30,7 +30,7 @@ Available answers for a mount; for a dimensionless oscillator the prefix f_ is O
 
 Any parameter of the design can be varied, including static friction if specified. Static friction affects only
 break_loose, rests_within and the answers in a shock; it must not be less than kinetic friction. With eta, c_2 or
-rubs="attached", answers take tens of microseconds per design, f_isolation some tenths of a millisecond. Structural
+contact="attached", answers take tens of microseconds per design, f_isolation some tenths of a millisecond. Structural
 damping is defined at one frequency:
 with it there is no answer in a shock.
 

@@ -127,7 +127,7 @@ class Subject:
         # an isolator without preload is answered as a linear spring, which has none of its numbers
         named = isinstance(oscillator, Isolator)
         self.mechanism = _averaged(oscillator.given["force"]) if named else oscillator.model.mechanism
-        self.excitation, self.loaded, self.rubs = oscillator.excitation, oscillator.load != 0, oscillator.rubs
+        self.excitation, self.loaded, self.contact = oscillator.excitation, oscillator.load != 0, oscillator.contact
         if not self.mechanism.odd:
             raise Refused(f"{of!r} is not allowed: its force is not odd")
         plain = {one: (one, PURE) for one in (*self.mechanism.design_names, "mu", "zeta", *LAWS)}
@@ -283,7 +283,7 @@ class Subject:
     def designs(self, values: Mapping[str, Any]) -> tuple[Any, Any, dict[str, Any]]:
         """Designs whose numbers are as given, arrays that broadcast, and else nominal.
 
-        With mu_s of each, None where friction holds as it rubs, and the size of what an answer of each kind is in.
+        With mu_s of each, None where friction holds while it slides, and the size of what an answer of each kind is in.
         """
         numbers: dict[str, Any] = {**self.nominal, **values}
         shape = np.broadcast_shapes(*(np.shape(value) for value in numbers.values()))
@@ -306,7 +306,7 @@ class Subject:
         if self.loaded:
             loads = {**arrays, "load": arrays.pop("load")}
             return OffCentreDesigns(self.mechanism, loads, self.excitation), mu_s, units
-        return Designs(self.mechanism, arrays, self.excitation, self.rubs), mu_s, units
+        return Designs(self.mechanism, arrays, self.excitation, self.contact), mu_s, units
 
 
 class _Batch:
@@ -336,7 +336,9 @@ class _Batch:
         if name == "break_loose":
             return self.holds
         if name == "rests_within":
-            designs = Designs(self.designs.mechanism, {**self.designs.values, "mu": self.holds}, rubs=self.designs.rubs)
+            designs = Designs(
+                self.designs.mechanism, {**self.designs.values, "mu": self.holds}, contact=self.designs.contact
+            )
             return np.asarray(designs.at_rest().rests_within)
         if name == "sticks":
             with np.errstate(all="ignore"):  # what is no design does not stick
@@ -401,7 +403,7 @@ class _Batch:
     def _shocked(self, peak: float, span: float, **numbers: float) -> tuple[float, float]:
         """Of one design, NaN for what is none and for a motion that escapes."""
         try:
-            laws: dict[str, Any] = {**numbers, "rubs": self.designs.rubs}
+            laws: dict[str, Any] = {**numbers, "contact": self.designs.contact}
             one = Oscillator(self.designs.mechanism, excitation=self.designs.excitation, **laws)
             shock = one.shock_spectrum(acceleration=peak, duration=span)
         except (ValueError, ArithmeticError):

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 import jinja2
 import sympy as sp
 
-from ....mechanisms import DAMPING, DISSIPATION, EXCITATIONS, RUBS, Parameter
+from ....mechanisms import CONTACTS, DAMPING, DISSIPATION, EXCITATIONS, Parameter
 from ....paper.slow_flow import SCENES
 from ... import measured
 from ...common import with_calls
@@ -55,7 +55,7 @@ def files(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
     # what type checkers look for, before they believe a package's annotations
     result["slowflow_kernels/py.typed"] = ""
     result["slowflow_kernels/domains.py"] = environment.get_template("domains.py.jinja").render(
-        damping=DAMPING, dissipation=DISSIPATION, rubs=RUBS, excitations=EXCITATIONS
+        damping=DAMPING, dissipation=DISSIPATION, contact=CONTACTS, excitations=EXCITATIONS
     )
     result["slowflow_kernels/scaling.py"] = environment.get_template("scaling.py.jinja").render(
         scales={number.name: scale for number, scale in (of_every_oscillator() | of_every_law()).items()},
