@@ -408,7 +408,7 @@ int curve(const char *name, const double *design, double F_0, const double *wind
     long n = 0;
     int answered = 0;
     if (block != NULL && room != NULL && find_record(name) &&
-        record->parameters_of(record, design, model.p) && record->damping_of(design + record->design_size, model.damping) &&
+        sf_take_design(record, design, model.p) && record->damping_of(design + record->design_size, model.damping) &&
         sf_prepare(record, design, &model) &&
         sf_give(record, design, design[record->design_size], design[record->design_size + 1], &inputs)) {
         out[3] = out[4] = out[5] = HUGE_VAL;
@@ -456,7 +456,7 @@ int second(const char *name, const double *design, double F_0, int count, long n
     static const int closed[64];
     sf_mechanism counting;
     sf_model model;
-    if (!find_record(name) || record->harmonics == NULL || !record->parameters_of(record, design, model.p) ||
+    if (!find_record(name) || record->harmonics == NULL || !sf_take_design(record, design, model.p) ||
         !record->damping_of(design + record->design_size, model.damping) || !sf_prepare(record, design, &model))
         return 0;
     counting = *record, counting.averaged = timed_averages, counting.harmonics = timed_harmonics;

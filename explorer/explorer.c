@@ -54,7 +54,7 @@ int EXPORT(choose)(int i, int by_inertia)
     if (by_inertia)
         sf_excite_by_inertia(&excited);
     known = NULL, model.mechanism = NULL, rises = places_of[i] != NULL, chosen = i;
-    if (!record->parameters_of(record, in, model.p) || !record->damping_of(of_damping, model.damping) ||
+    if (!sf_take_design(record, in, model.p) || !record->damping_of(of_damping, model.damping) ||
         !sf_prepare(record, in, &model))
         return -1;
     if (sf_give(record, in, of_damping[0], of_damping[1], &inputs))

@@ -65,39 +65,30 @@ static double records_level(double Omega, double A, const double *damping, doubl
 
 static int duffing_record_parameters_of(const sf_mechanism *self, const double *design, double *p)
 {
-    sf_pair pairs[SF_MOST_PARAMETERS + SF_MOST_BREAKS];
     (void)self;
     if (!(design[0] > -INFINITY && design[0] < INFINITY && design[1] > -INFINITY && design[1] < INFINITY))
         return 0;
     duffing_coefficients(design[0], design[1], p);
-    duffing_pairs_given(sfp_point(design[0]), sfp_point(design[1]), pairs);
-    sf_keep_digits(2, pairs, p);
     return 1;
 }
 
 static int rod_spring_record_parameters_of(const sf_mechanism *self, const double *design, double *p)
 {
-    sf_pair pairs[SF_MOST_PARAMETERS + SF_MOST_BREAKS];
     (void)self;
     if (!(design[0] > 0.0 && design[0] < INFINITY && design[1] > 0.0 && design[1] < INFINITY && design[2] >= 0.0 &&
           design[2] < 1.0))
         return 0;
     rod_spring_coefficients(design[0], design[1], design[2], p);
-    rod_spring_pairs_given(sfp_point(design[0]), sfp_point(design[1]), sfp_point(design[2]), pairs);
-    sf_keep_digits(4, pairs, p);
     return 1;
 }
 
 static int rod_spring_untruncated_record_parameters_of(const sf_mechanism *self, const double *design, double *p)
 {
-    sf_pair pairs[SF_MOST_PARAMETERS + SF_MOST_BREAKS];
     (void)self;
     if (!(design[0] > 0.0 && design[0] < INFINITY && design[1] > 0.0 && design[1] < INFINITY && design[2] >= 0.0 &&
           design[2] < 1.0))
         return 0;
     rod_spring_untruncated_coefficients(design[0], design[1], design[2], p);
-    rod_spring_untruncated_pairs_given(sfp_point(design[0]), sfp_point(design[1]), sfp_point(design[2]), pairs);
-    sf_keep_digits(3, pairs, p);
     return 1;
 }
 

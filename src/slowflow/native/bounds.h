@@ -25,7 +25,7 @@ static double sf_least_forcing(const sf_model *model, const sf_sample *at, doubl
 }
 
 /* A damping ratio that no cycle of this amplitude or more has less than. */
-static double sf_least_zeta(const sf_model *model, double A) {
+SF_FLAT static double sf_least_zeta(const sf_model *model, double A) {
     return sf_law_terms_below(model, A).zeta[0];
 }
 
@@ -40,8 +40,9 @@ static double sf_most_restoring(const sf_model *model, double F_0, double A) {
     return most;
 }
 
-/* h_A from A on: beyond the last breakpoint h is followed to where it has no bound in doubles. */
-static sf_interval sf_slope_from(const sf_model *model, const sf_sample *at) {
+/* h_A from A on: beyond the last breakpoint h is followed to where it has no bound in doubles. What else is known of a
+ * cell is left out where all is in place. */
+SF_FLAT static sf_interval sf_slope_from(const sf_model *model, const sf_sample *at) {
     sf_known here, there;
     sf_cell cell;
     const sf_sample far = sf_sample_without_k_at(model, SF_ENDLESS * fmax(at->A, 1));

@@ -30,7 +30,7 @@ static void sf_read_numbers_at(const sf_call *at, sf_numbers *out) {
 
 /* What follows from the numbers of a design; 0 if one lies outside its domain. */
 static int sf_take_numbers(const sf_mechanism *mechanism, const sf_numbers *inputs, sf_model *model) {
-    return mechanism->parameters_of(mechanism, inputs->design, model->p) &&
+    return sf_take_design(mechanism, inputs->design, model->p) &&
            mechanism->damping_of(inputs->damping, model->damping);
 }
 

@@ -6,21 +6,14 @@
  */
 #pragma once
 
-#include "design_lanes.h"
-#include "many.h"
+#include "many_lanes.h"
 
-enum { SF_DETACHING = 64 };
-
-/* n designs, row by row. number: number i of member d is at i * SF_DETACHING + d; A, h: on the breakpoint in
- * doubles;
- * end: the breakpoint and h on it in pairs, their high and low parts laid out as numbers are; change: of F_cr, NaN
- * where the design is left to sf_settled_detachment */
+/* A block of designs, row by row. A, h: on the breakpoint in doubles, NaN for what is no member; end: the breakpoint and h
+ * on it in pairs, their high and low parts laid out as numbers are; change: of F_cr, NaN where the design is left to
+ * sf_settled_detachment */
 typedef struct {
-    int n;
-    ptrdiff_t k[SF_DETACHING];
-    double number[SF_MOST_DESIGN * SF_DETACHING], mu[SF_DETACHING], m[SF_DETACHING], zeta[SF_DETACHING];
-    double A[SF_DETACHING], h[SF_DETACHING], u_cr[SF_DETACHING];
-    double end[4 * SF_DETACHING], Omega[SF_DETACHING], F_0[SF_DETACHING], change[SF_DETACHING];
+    double mu[SF_LANE_BLOCK], m[SF_LANE_BLOCK], zeta[SF_LANE_BLOCK], A[SF_LANE_BLOCK], h[SF_LANE_BLOCK];
+    double end[4 * SF_LANE_BLOCK], Omega[SF_LANE_BLOCK], F_0[SF_LANE_BLOCK], change[SF_LANE_BLOCK], u_cr[SF_LANE_BLOCK];
 } sf_detaching;
 
 /* sf_least_forcing, with one step of sf_polish_cubic, which is nearly always the last */
@@ -51,8 +44,8 @@ static SF_FLAT void sf_lane_level_steps(ptrdiff_t n, sf_detaching *block) {
     const double *end = block->end;
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
-        const sf_pair b = {end[i], end[SF_DETACHING + i]}, none = {0, 0};
-        const sf_pair h = {end[2 * SF_DETACHING + i], end[3 * SF_DETACHING + i]};
+        const sf_pair b = {end[i], end[SF_LANE_BLOCK + i]}, none = {0, 0};
+        const sf_pair h = {end[2 * SF_LANE_BLOCK + i], end[3 * SF_LANE_BLOCK + i]};
         const sf_pair m = slow_flow_pairs_friction(sfp_point(block->mu[i]));
         double out[4];
         slow_flow_pairs_level_step(sfp_point(block->Omega[i]), b, sfp_point(block->F_0[i]), m,
@@ -61,11 +54,13 @@ static SF_FLAT void sf_lane_level_steps(ptrdiff_t n, sf_detaching *block) {
     }
 }
 
-static void sf_settle_detachments(const sf_mechanism *mechanism, sf_detaching *block) {
-    sf_lane_least_forcings(block->n, block);
-    mechanism->on_first_end_in_pairs(mechanism, block->n, SF_DETACHING, block->number, block->end);
-    sf_lane_level_steps(block->n, block);
-    for (int d = 0; d < block->n; d++)
+static void sf_settle_detachments(const sf_mechanism *mechanism, ptrdiff_t n, const sf_exact_block *exact,
+                                  sf_detaching *block)
+{
+    sf_lane_least_forcings(n, block);
+    mechanism->on_first_end_in_pairs(mechanism, n, SF_LANE_BLOCK, exact->number, block->end);
+    sf_lane_level_steps(n, block);
+    for (ptrdiff_t d = 0; d < n; d++)
         sf_change_level(block->end[d], block->change[d], &block->F_0[d]);
 }
 
@@ -88,43 +83,39 @@ static void sf_detach_singly(const sf_call *at) {
     sf_write_detachment(at, F_cr, Omega_cr, u_cr, status);
 }
 
-/* Whether design k becomes a member of a block. */
-static int sf_enter_detachment(const sf_call *at, sf_detaching *block) {
+/* Design k, as member d, unless it has fewer breakpoints. */
+static void sf_enter_detachment(const sf_call *at, const sf_exact_block *exact, sf_detaching *block, ptrdiff_t d) {
     const sf_mechanism *mechanism = at->mechanism;
-    const int d = block->n;
-    sf_numbers inputs;
     sf_model model;
-    sf_read_numbers_at(at, &inputs);
-    if (!sf_take_numbers(mechanism, &inputs, &model) || !sf_prepare(mechanism, NULL, &model) ||
-        model.breaks < mechanism->breakpoints)
-        return 0;
-    const sf_sample end = sf_sample_without_k_at(&model, model.b[0]);
-    for (int i = 0; i < mechanism->design_size; i++)
-        block->number[i * SF_DETACHING + d] = inputs.design[i];
-    block->k[d] = at->k, block->mu[d] = inputs.damping[0], block->m[d] = model.m, block->zeta[d] = model.zeta;
-    block->A[d] = end.A, block->h[d] = end.h, block->u_cr[d] = sf_largest_displacement(&model, end.A);
-    block->n++;
-    return 1;
+    sf_sample end = {.A = NAN, .h = NAN};
+    model.m = model.zeta = NAN;
+    if (sf_take_member(at, exact, d, &model) && sf_prepare(mechanism, NULL, &model) &&
+        model.breaks == mechanism->breakpoints) {
+        end = sf_sample_without_k_at(&model, model.b[0]);
+        block->u_cr[d] = sf_largest_displacement(&model, end.A);
+    }
+    block->mu[d] = sf_input(at, mechanism->design_size), block->m[d] = model.m, block->zeta[d] = model.zeta;
+    block->A[d] = end.A, block->h[d] = end.h;
 }
 
 static void sf_loop_detachment(sf_call *at) {
     const sf_mechanism *mechanism = at->mechanism;
     const int together = mechanism->on_first_end_in_pairs != NULL && !mechanism->inertial && !sf_takes_laws(mechanism);
-    ptrdiff_t end;
-    for (at->k = 0; at->k < at->dimensions[0]; at->k = end) {
-        sf_detaching block;
-        block.n = 0, end = sf_end_of_block(at, SF_DETACHING);
-        for (; at->k < end; at->k++)
-            if (!(together && sf_enter_detachment(at, &block)))
-                sf_detach_singly(at);
-        if (block.n > 0)
-            sf_settle_detachments(mechanism, &block);
-        for (int d = 0; d < block.n; d++) {
-            at->k = block.k[d];
-            if (isnan(block.change[d]))
+    sf_exact_block exact;
+    sf_detaching block;
+    ptrdiff_t end, d;
+    for (ptrdiff_t first = 0; first < at->dimensions[0]; first = end) {
+        at->k = first, end = sf_end_of_block(at, SF_LANE_BLOCK);
+        if (together) {
+            sf_make_exact_block(at, end, &exact);
+            for (d = 0; at->k < end; at->k++, d++)
+                sf_enter_detachment(at, &exact, &block, d);
+            sf_settle_detachments(mechanism, d, &exact, &block);
+        }
+        for (at->k = first, d = 0; at->k < end; at->k++, d++)
+            if (!together || isnan(block.change[d]))
                 sf_detach_singly(at);
             else
                 sf_write_detachment(at, block.F_0[d], block.Omega[d], block.u_cr[d], SF_OK);
-        }
     }
 }

@@ -37,6 +37,25 @@ static inline int sf_take_jumps(const sf_exact_block *block, ptrdiff_t d, sf_mod
     return model->breaks == mechanism->breakpoints;
 }
 
+/* Member d of the block, which is design k, with its damping and, where they were lost, digits of its parameters; 0 if a
+ * number lies outside its domain. */
+static int sf_take_member(const sf_call *at, const sf_exact_block *block, ptrdiff_t d, sf_model *model) {
+    const sf_mechanism *mechanism = at->mechanism;
+    sf_numbers inputs;
+    sf_read_numbers_at(at, &inputs);
+    if (!mechanism->parameters_of(mechanism, inputs.design, model->p) ||
+        !mechanism->damping_of(inputs.damping, model->damping))
+        return 0;
+    sf_keep_digits(mechanism->parameters, block->part + d, 2 * SF_LANE_BLOCK, model->p);
+    return 1;
+}
+
+/* The same with all else that a model has; 0 also where sf_prepare refuses it, or doubles do not tell its jumps. */
+static int sf_prepare_member(const sf_call *at, const sf_exact_block *block, int d, sf_model *model) {
+    return sf_take_member(at, block, d, model) && sf_prepare(at->mechanism, NULL, model) &&
+           sf_take_jumps(block, d, model);
+}
+
 /* Designs from k to `end` of a mechanism that has pairs. */
 static void sf_make_exact_block(const sf_call *at, ptrdiff_t end, sf_exact_block *block) {
     const ptrdiff_t n = end - at->k;
@@ -321,13 +340,12 @@ SF_ALWAYS void sf_loop_in_lanes(sf_call *at, const sf_lane_question *by) {
     free(q.room);
 }
 
-/* Whether design k, as member d, may have its answer at a forcing from lanes: its damping is viscous too, and it does not
- * all but stick. */
+/* Whether design k, as member d, may have its answer at a forcing from lanes: its damping is viscous too, and it neither
+ * sticks nor all but sticks. */
 static int sf_enter_at_forcing(const sf_call *at, const sf_exact_block *exact, sf_lane_design *of, int d) {
-    sf_numbers inputs;
     of->F_0 = sf_number(at, 0), of->Omega = 0, of->n = 0;
-    if (!at->mechanism->is_forcing(of->F_0) || !sf_design_at(at, 0, &inputs, &of->model) ||
-        !sf_take_jumps(exact, d, &of->model) || !(of->model.zeta > 0) || sf_nearly_sticks(&of->model, of->F_0))
+    if (!at->mechanism->is_forcing(of->F_0) || !sf_prepare_member(at, exact, d, &of->model) ||
+        !(of->model.zeta > 0) || sf_sticks(&of->model, of->F_0) || sf_nearly_sticks(&of->model, of->F_0))
         return 0;
     of->task[0] = 0, of->task[1] = of->model.zeta, of->task[2] = of->model.m, of->task[3] = of->F_0;
     return 1;

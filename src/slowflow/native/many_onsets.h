@@ -35,9 +35,8 @@ static int sf_enter_onset(const sf_call *at, const sf_exact_block *exact, sf_lan
     sf_model *model = &of->model;
     sf_piece_ends *ends = &block->ends[d];
     sf_sample part[SF_ONSET_PARTS + 1];
-    sf_numbers inputs;
     of->n = 0;
-    if (!sf_design_at(at, 0, &inputs, model) || !sf_take_jumps(exact, d, model))
+    if (!sf_prepare_member(at, exact, d, model))
         return 0;
     sf_end_pieces(model, ends);
     sf_begin_onset(model, ends, &block->best[d]);

@@ -13,12 +13,10 @@ static int sf_enter_states(const sf_call *at, const sf_exact_block *exact, sf_la
     sf_lane_design *of = &block->at[d];
     sf_model *model = &of->model;
     const sf_mechanism *mechanism = at->mechanism;
-    sf_numbers inputs;
     of->F_0 = sf_number(at, 0), of->Omega = sf_number(at, 1), of->n = 0, model->mechanism = mechanism;
     if (!(mechanism->is_forcing(of->F_0) && sf_has_states(of->Omega)))
         return 0;
-    sf_read_numbers_at(at, &inputs);
-    if (!sf_take_numbers(mechanism, &inputs, model) || !(model->zeta > 0) || sf_nearly_sticks(model, of->F_0))
+    if (!sf_take_member(at, exact, d, model) || !(model->zeta > 0) || sf_nearly_sticks(model, of->F_0))
         return 0;
     const double A_max = sf_above_states(model, of->F_0, of->Omega);
     if (!(A_max > SF_FIRST && A_max < SF_ENDLESS) || !sf_prepare(mechanism, NULL, model) ||

@@ -15,7 +15,7 @@
 #include "pair.h"
 
 enum {
-    SF_FORM = 12, /* of the record below; one of another form is refused */
+    SF_FORM = 13, /* of the record below; one of another form is refused */
     SF_MOST_DESIGN = 32,
     SF_MOST_DAMPING = 7,
     SF_MOST_PARAMETERS = 64,
@@ -37,7 +37,8 @@ struct sf_mechanism {
     int design_size, damping_size, parameters, breakpoints;
     double reach; /* largest amplitude that it can take, or infinite */
 
-    /* From what a user gives to what the solvers take; 0 where a number lies outside its domain. */
+    /* From what a user gives to what the solvers take; 0 where a number lies outside its domain. Parameters are computed in
+     * doubles, see sf_take_design. */
     int (*parameters_of)(const sf_mechanism *self, const double *design, double *p);
     int (*damping_of)(const double *inputs, double *damping);
     int (*is_forcing)(double F_0);
@@ -126,11 +127,25 @@ static inline void sf_take_surroundings(const sf_mechanism *like, sf_mechanism *
 }
 
 /* A parameter that is a difference of nearly equal numbers, as a stiffness next to 0, has few digits in doubles: such
- * ones are what pairs give. One that is 0 to rounding, or whose sign rounding decides, stays as everyone has it:
- * quasi-zero stiffness is meant by 1/(lam r) = delta_h, which doubles seldom are. */
-static inline void sf_keep_digits(int n, const sf_pair *pairs, double *p)
+ * ones are what pairs give, of which number i has its high part at high[i*apart]. One that is 0 to rounding, or whose
+ * sign rounding decides, stays as everyone has it: quasi-zero stiffness is meant by 1/(lam r) = delta_h, which doubles
+ * seldom are. */
+static inline void sf_keep_digits(int n, const double *high, ptrdiff_t apart, double *p)
 {
-    for (int i = 0; i < n; i++)
-        if (p[i] * pairs[i].high > 0 && fabs(p[i] - pairs[i].high) > 0x1p-49 * fabs(p[i]))
-            p[i] = pairs[i].high;
+    for (int i = 0; i < n; i++, high += apart)
+        if (p[i] * *high > 0 && fabs(p[i] - *high) > 0x1p-49 * fabs(p[i]))
+            p[i] = *high;
+}
+
+/* The parameters of a design; 0 where a number lies outside its domain. */
+static inline int sf_take_design(const sf_mechanism *mechanism, const double *design, double *p)
+{
+    sf_pair pairs[SF_MOST_PARAMETERS + SF_MOST_BREAKS];
+    if (!mechanism->parameters_of(mechanism, design, p))
+        return 0;
+    if (mechanism->parameters_in_pairs != NULL) {
+        mechanism->parameters_in_pairs(mechanism, design, pairs);
+        sf_keep_digits(mechanism->parameters, &pairs->high, 2, p);
+    }
+    return 1;
 }

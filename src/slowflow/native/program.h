@@ -190,7 +190,6 @@ static inline void sf_at_amplitudes(const sf_function *of, int parameters, ptrdi
 static int sf_program_parameters_of(const sf_mechanism *self, const double *design, double *p)
 {
     const sf_program *of = self->program;
-    sf_pair pairs[SF_MOST_PARAMETERS + SF_MOST_BREAKS];
     for (int i = 0; i < of->conditions; i++) {
         const sf_condition *on = &of->condition[i];
         const double value = design[on->place], bound = on->bound;
@@ -200,10 +199,6 @@ static int sf_program_parameters_of(const sf_mechanism *self, const double *desi
             return 0;
     }
     sf_at(&of->coefficients, -1, design, p);
-    if (self->parameters_in_pairs != NULL) {
-        self->parameters_in_pairs(self, design, pairs);
-        sf_keep_digits(self->parameters, pairs, p);
-    }
     return 1;
 }
 

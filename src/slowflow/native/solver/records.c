@@ -260,7 +260,7 @@ static PyObject *parameters_of(PyObject *self, PyObject *args)
     if (record == NULL ||
         sf_read_numbers(of_design, record->design_size, record->name, "numbers of the design", design) != 0)
         return NULL;
-    if (record->parameters_of(record, design, p))
+    if (sf_take_design(record, design, p))
         return tuple_of(p, record->parameters);
     PyErr_Format(PyExc_ValueError, "%s: the design is outside its domain", record->name);
     return NULL;
