@@ -25,12 +25,11 @@ from .typeset import mathml
 def formula_rows(facts: Facts) -> list[Row]:
     """One row for each entry of FORMULAS, in the paper's order."""
     rows = []
-    for _, group in groupby(facts.published.FORMULAS, key=lambda f: (f.equation, f.quantity)):
+    for _, group in groupby(facts.published.FORMULAS, key=lambda f: (f.where, f.quantity)):
         readings = list(group)
-        agreeing = [f for f in readings if facts.judgements[f.function.__name__].verdict != DIFFERS]
+        agreeing = [f for f in readings if facts.judgements[f.name].verdict != DIFFERS]
         for formula in readings:
-            name = formula.function.__name__
-            judgement, subject = facts.judgements[name], facts.subjects.get(name, Subject(()))
+            judgement, subject = facts.judgements[formula.name], facts.subjects.get(formula.name, Subject(()))
             by = f"By {judgement.rewriting}" if judgement.rewriting else ""
             verdict, evidence = judgement.verdict, [by, subject.remark]
             if verdict == DIFFERS and agreeing and not subject.literal:
@@ -40,9 +39,9 @@ def formula_rows(facts: Facts) -> list[Row]:
                 evidence.append(f"It is the derived expression times {judgement.factor}.")
             rows.append(
                 Row(
-                    id=name,
+                    id=formula.name,
                     kind="formula",
-                    where=formula.equation,
+                    where=formula.where,
                     quantity=formula.quantity + (f" [{formula.reading}]" if formula.reading else ""),
                     published=judgement.published,
                     derived=judgement.derived,

@@ -66,7 +66,7 @@ class Facts:
     @functools.cached_property
     def judgements(self) -> dict[str, Judgement]:
         """The verdict on every published function, by its name."""
-        return {f.function.__name__: self._judged(f.function) for f in self.published.FORMULAS}
+        return {f.name: self._judged(f.function) for f in self.published.FORMULAS}
 
     @functools.cached_property
     def subjects(self) -> dict[str, Subject]:

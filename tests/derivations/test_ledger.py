@@ -31,8 +31,8 @@ from derivations.results import Results
 from tests.oracles.averaged import RodSpring
 
 SOURCE = ast.parse(Path(PUBLISHED.__file__).read_text(encoding="utf-8"))
-FUNCTIONS = {node.name: node for node in SOURCE.body if isinstance(node, ast.FunctionDef) and node.name != "_stated"}
-NAMES = [formula.function.__name__ for formula in PUBLISHED.FORMULAS]
+FUNCTIONS = {node.name: node for node in SOURCE.body if isinstance(node, ast.FunctionDef) and node.name[0] != "_"}
+NAMES = [formula.name for formula in PUBLISHED.FORMULAS]
 
 
 @pytest.fixture(scope="module")

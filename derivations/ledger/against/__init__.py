@@ -157,11 +157,11 @@ def judged(publication: Publication, derived: Derived) -> Verdicts:
     against = importlib.import_module(f"{__name__}.{publication.name}")
     judges: dict[str, Judge] = against.formulas(derived)
     claims: Claims = against.claims(derived)
-    names, ids = [f.function.__name__ for f in publication.formulas], [claim.id for claim in publication.claims]
+    names, ids = [f.name for f in publication.formulas], [claim.id for claim in publication.claims]
     if set(judges) != set(names) or set(claims) != set(ids):
         raise ArithmeticError(
             f"{publication.name}: what is published and what is judged part at "
             f"{sorted(set(judges) ^ set(names)) + sorted(set(claims) ^ set(ids))}"
         )
-    formulas = {f.function.__name__: judges[f.function.__name__](f.function) for f in publication.formulas}
+    formulas = {f.name: judges[f.name](f.function) for f in publication.formulas}
     return Verdicts(publication, formulas, {name: claims[name] for name in ids})

@@ -9,8 +9,6 @@ x = u cos(omega t) + v sin(omega t). A dot is the derivative by slow time. The o
 
 from typing import Any
 
-from . import Claim, Formula, Publication
-
 # several terms to a line, as the program prints them
 # fmt: off
 
@@ -19,7 +17,7 @@ def cosine_balance(
     u: Any, v: Any, u_dot: Any, v_dot: Any, omega: Any, omega_0: Any, gamma: Any, alpha: Any, eta: Any, lam: Any,
     F: Any, *, xp: Any,
 ) -> Any:
-    """The first harmonic equation, lhs - rhs."""
+    """driven resonator: cosine balance. Lhs - rhs."""
     return (
         F - u * lam / 2 + 2 * v_dot * omega + u_dot * gamma - u * omega**2 + u * omega_0**2 + v * gamma * omega
         + 3 * u**3 * alpha / 4 + 3 * u**2 * u_dot * eta / 4 + u * v_dot * v * eta / 2 + 3 * u * v**2 * alpha / 4
@@ -31,7 +29,7 @@ def sine_balance(
     u: Any, v: Any, u_dot: Any, v_dot: Any, omega: Any, omega_0: Any, gamma: Any, alpha: Any, eta: Any, lam: Any,
     *, xp: Any,
 ) -> Any:
-    """The second, lhs - rhs."""
+    """driven resonator: sine balance. Lhs - rhs."""
     return (
         v_dot * gamma + v * lam / 2 - 2 * u_dot * omega - u * gamma * omega - v * omega**2 + v * omega_0**2
         + u**2 * v_dot * eta / 4 + 3 * u**2 * v * alpha / 4 + u * v * u_dot * eta / 2 + 3 * v_dot * v**2 * eta / 4
@@ -40,7 +38,7 @@ def sine_balance(
 
 
 def u_rate(u: Any, v: Any, omega: Any, omega_0: Any, gamma: Any, alpha: Any, beta: Any, F: Any, *, xp: Any) -> Any:
-    """du/dT to second order."""
+    """three-wave mixing, order 2: du/dT."""
     return (
         -u * gamma * omega / 2 - v * omega**2 / 2 + v * omega_0**2 / 2 + 3 * u**2 * v * alpha / 8 + 3 * v**3 * alpha / 8
     ) / omega + (
@@ -54,7 +52,7 @@ def u_rate(u: Any, v: Any, omega: Any, omega_0: Any, gamma: Any, alpha: Any, bet
 
 
 def v_rate(u: Any, v: Any, omega: Any, omega_0: Any, gamma: Any, alpha: Any, beta: Any, F: Any, *, xp: Any) -> Any:
-    """dv/dT to second order."""
+    """three-wave mixing, order 2: dv/dT."""
     return (
         F * u * beta * omega**5 / 6 + 5 * u**3 * beta**2 * omega**5 / 12 + 5 * u * v**2 * beta**2 * omega**5 / 12
         + u * gamma**2 * omega**7 / 8 + u * omega**9 / 8 - u * omega**7 * omega_0**2 / 4 + u * omega**5 * omega_0**4 / 8
@@ -68,7 +66,7 @@ def v_rate(u: Any, v: Any, omega: Any, omega_0: Any, gamma: Any, alpha: Any, bet
 
 
 def forced_u_rate(u: Any, v: Any, omega: Any, omega_0: Any, gamma: Any, F: Any, *, xp: Any) -> Any:
-    """du/dT to second order, forced at omega."""
+    """harmonic oscillator, order 2: du/dT. Forced at omega."""
     return (
         F * gamma * omega**6 / 8 - v * gamma**2 * omega**7 / 8 - v * omega**9 / 8 + v * omega**7 * omega_0**2 / 4
         - v * omega**5 * omega_0**4 / 8
@@ -76,7 +74,7 @@ def forced_u_rate(u: Any, v: Any, omega: Any, omega_0: Any, gamma: Any, F: Any, 
 
 
 def forced_v_rate(u: Any, v: Any, omega: Any, omega_0: Any, gamma: Any, F: Any, *, xp: Any) -> Any:
-    """dv/dT to second order, forced at omega."""
+    """harmonic oscillator, order 2: dv/dT. Forced at omega."""
     return (
         F * omega**7 / 8 - F * omega**5 * omega_0**2 / 8 + u * gamma**2 * omega**7 / 8 + u * omega**9 / 8
         - u * omega**7 * omega_0**2 / 4 + u * omega**5 * omega_0**4 / 8
@@ -84,28 +82,19 @@ def forced_v_rate(u: Any, v: Any, omega: Any, omega_0: Any, gamma: Any, F: Any, 
 
 
 # fmt: on
-PUBLICATION = Publication(
-    name="harmonic_balance_jl",
-    title="HarmonicBalance.jl: averaging to second order, nonlinear damping",
-    citation="J. Košata, J. del Pino, T. L. Heugel, O. Zilberberg, HarmonicBalance.jl: A Julia suite for nonlinear "
-    "dynamics using harmonic balance, SciPost Phys. Codebases 6 (2022), arXiv:2202.00571",
-    read_in="The program's documentation, which prints what it derives: the examples Parametrically driven resonator, "
-    "Parametric pumping via three-wave mixing, and Harmonic oscillator: comparison of KB and HB methods; sentence: "
-    "Extracting harmonic equations. The algorithm: src/krylov-bogoliubov.jl.",
-    formulas=(
-        Formula("driven resonator", "cosine balance", cosine_balance),
-        Formula("driven resonator", "sine balance", sine_balance),
-        Formula("three-wave mixing, order 2", "du/dT", u_rate),
-        Formula("three-wave mixing, order 2", "dv/dT", v_rate),
-        Formula("harmonic oscillator, order 2", "du/dT", forced_u_rate),
-        Formula("harmonic oscillator, order 2", "dv/dT", forced_v_rate),
-    ),
-    claims=(
-        Claim(
-            "higher_orders",
-            "Krylov-Bogoliubov",
-            "the Krylov-Bogoliubov method excels in computing higher orders in 1/ω, enabling the capture of faster "
-            "dynamics within a system",
-        ),
-    ),
+TITLE = "HarmonicBalance.jl: averaging to second order, nonlinear damping"
+CITATION = (
+    "J. Košata, J. del Pino, T. L. Heugel, O. Zilberberg, HarmonicBalance.jl: A Julia suite for nonlinear dynamics "
+    "using harmonic balance, SciPost Phys. Codebases 6 (2022), arXiv:2202.00571"
 )
+READ_IN = (
+    "The program's documentation, which prints what it derives: the examples Parametrically driven resonator, "
+    "Parametric pumping via three-wave mixing, and Harmonic oscillator: comparison of KB and HB methods; sentence: "
+    "Extracting harmonic equations. The algorithm: src/krylov-bogoliubov.jl."
+)
+CLAIMS = {
+    "Krylov-Bogoliubov": {
+        "higher_orders": "the Krylov-Bogoliubov method excels in computing higher orders in 1/ω, enabling the capture "
+        "of faster dynamics within a system",
+    },
+}

@@ -6,27 +6,20 @@ sigma = 2 zeta Omega.
 
 from typing import Any
 
-from . import Formula, Publication
-
 
 def amplitude_polynomial(y: Any, alpha: Any, rho: Any, sigma: Any, phi: Any, *, xp: Any) -> Any:
-    """What vanishes at the square of the amplitude."""
+    """quoted: square of the amplitude. It is where this vanishes."""
     return 9 * alpha**2 * y**3 + 24 * alpha * rho * y**2 + 16 * (rho**2 + sigma**2) * y - 16 * phi**2
 
 
 def phase(A: Any, sigma: Any, phi: Any, *, xp: Any) -> Any:
-    """theta."""
+    """quoted: phase."""
     return xp.arcsin(-sigma * A / phi)
 
 
-PUBLICATION = Publication(
-    name="holmes_rand_1976",
-    title="A cubic spring: amplitude and phase",
-    citation="P. J. Holmes, D. A. Rand, The bifurcations of Duffing's equation: an application of catastrophe theory, "
-    "J. Sound Vib. 44 (1976) 237–253",
-    read_in="A notebook, Duffing Oscillator Bifurcation, that quotes both, without the paper's equation numbers.",
-    formulas=(
-        Formula("quoted", "square of the amplitude", amplitude_polynomial),
-        Formula("quoted", "phase", phase),
-    ),
+TITLE = "A cubic spring: amplitude and phase"
+CITATION = (
+    "P. J. Holmes, D. A. Rand, The bifurcations of Duffing's equation: an application of catastrophe theory, J. Sound "
+    "Vib. 44 (1976) 237–253"
 )
+READ_IN = "A notebook, Duffing Oscillator Bifurcation, that quotes both, without the paper's equation numbers."

@@ -6,36 +6,27 @@ program sets both to 1.
 
 from typing import Any
 
-from . import Claim, Formula, Publication
-
 
 def upper_frequency(a: Any, zeta: Any, gamma: Any, P: Any, *, xp: Any) -> Any:
-    """Om_ana(i,1)."""
+    """Om_ana(i,1): higher frequency."""
     root = xp.sqrt(P**2 / a**2 + zeta**4 / 4 - zeta**2 - 3 * zeta**2 * gamma * a**2 / 4)
     return xp.sqrt(1 - zeta**2 / 2 + 3 * gamma * a**2 / 4 + root)
 
 
 def lower_frequency(a: Any, zeta: Any, gamma: Any, P: Any, *, xp: Any) -> Any:
-    """Om_ana(i,2)."""
+    """Om_ana(i,2): lower frequency."""
     root = xp.sqrt(P**2 / a**2 + zeta**4 / 4 - zeta**2 - 3 * zeta**2 * gamma * a**2 / 4)
     return xp.sqrt(1 - zeta**2 / 2 + 3 * gamma * a**2 / 4 - root)
 
 
-PUBLICATION = Publication(
-    name="nlvib",
-    title="A cubic spring by harmonic balance: NLvib's first example",
-    citation="M. Krack, J. Gross, Harmonic Balance for Nonlinear Vibration Problems (Springer, 2019), "
-    "doi:10.1007/978-3-030-14023-6",
-    read_in="The program of the book, NLvib 1.3, EXAMPLES/01_Duffing/Duffing.m. The book was not read.",
-    formulas=(
-        Formula("Om_ana(i,1)", "higher frequency", upper_frequency),
-        Formula("Om_ana(i,2)", "lower frequency", lower_frequency),
-    ),
-    claims=(
-        Claim(
-            "two_frequencies",
-            "comment",
-            "For each amplitude, determine the two associated excitation frequencies",
-        ),
-    ),
+TITLE = "A cubic spring by harmonic balance: NLvib's first example"
+CITATION = (
+    "M. Krack, J. Gross, Harmonic Balance for Nonlinear Vibration Problems (Springer, 2019), "
+    "doi:10.1007/978-3-030-14023-6"
 )
+READ_IN = "The program of the book, NLvib 1.3, EXAMPLES/01_Duffing/Duffing.m. The book was not read."
+CLAIMS = {
+    "comment": {
+        "two_frequencies": "For each amplitude, determine the two associated excitation frequencies",
+    },
+}
