@@ -4,6 +4,7 @@ In:  the derivation's `Results`; published.py; benchmarks/results/claims.json, w
 Out: LEDGER.md and ledger.json, and the numbers of Table 1 for the runtime.
 
     published  every formula, table, number and sentence, typed from the paper
+    statements the form of a published formula and sentence
     source     an exact namespace for its functions
     proofs     an expression as a quotient of polynomials over the rationals: zero or not
     formulas   which derived expression stands against which published function

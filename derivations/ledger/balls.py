@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from decimal import ROUND_HALF_EVEN, Decimal, localcontext
+from fractions import Fraction
 from functools import cache, partial, reduce
 from itertools import pairwise
 from operator import add, methodcaller, mul
@@ -37,6 +38,11 @@ def rational(value: Any) -> fmpq:
     """A Fraction, integer or SymPy rational as FLINT's."""
     numerator, denominator = (value.p, value.q) if isinstance(value, sp.Rational) else value.as_integer_ratio()
     return fmpq(int(numerator), int(denominator))
+
+
+def ball(value: Any) -> arb:
+    """A Fraction, integer, SymPy rational or decimal text, as a ball."""
+    return arb(rational(Fraction(value) if isinstance(value, str) else value))
 
 
 def evaluate(expression: sp.Expr, values: Mapping[sp.Symbol, Any]) -> Any:
@@ -72,7 +78,7 @@ def _step(part: sp.Expr) -> tuple[Callable[..., Any] | None, Any]:
     if part.is_Symbol:
         return None, part
     if part.is_Rational or part is sp.pi:
-        constant = arb.pi() if part is sp.pi else arb(rational(part))
+        constant = arb.pi() if part is sp.pi else ball(part)
         return lambda: constant, ()
     if part.func in (sp.atan, sp.atan2):
         return _angle, part.args if isinstance(part, sp.atan2) else sp.fraction(part.args[0])

@@ -185,7 +185,7 @@ def section_3_3(facts: Facts) -> Verdicts:
     claim("two positive zeros of F_AA at A_s", len(facts.bends_at_onset) == 2)
     spurious, valid, high = facts.detachment_roots
     claim("the middle root of (34) is F_cr", valid.overlaps(example.detachment.F_0))
-    claim("depressed cubic", example.polynomials.peak[2] == 0)
+    claim("depressed cubic", example.polynomials["peak"][2] == 0)
     claim("c_i polynomial", facts.detachment_in_preload)
     return {
         TRUE: {

@@ -17,10 +17,11 @@ from typing import Any
 import sympy as sp
 from flint import arb, arb_series
 
+from ..forces.of_mechanism import OfMechanism
 from ..paper.slow_flow import I, R, m
 from ..results import Results
 from ..symbols import F_0, A, Omega, h, h_A, h_AA, zeta
-from .balls import evaluate, isolate, polynomial_zeros, rational, sign
+from .balls import ball, evaluate, isolate, polynomial_zeros, sign
 from .formulas import MECHANISM
 
 ATTACHED, DETACHED = "attached", "detached"
@@ -37,43 +38,42 @@ class Point:
     kind: str = ""
 
 
-@dataclass(frozen=True)
-class System:
-    """Polynomials in Omega of the derivation, in A, h, h_A, h_AA, m, zeta, F_0; by power, constant first.
+#: by name, a polynomial's coefficients by power
+Polynomials = dict[str, dict[int, sp.Expr]]
 
-    response  -- F
-    fold      -- F_A/2
-    bend      -- F_AA/2
-    peak      -- F_Omega/(4 A)
-    quadratic -- A F_A/2 - F
+
+def polynomials(results: Results) -> Polynomials:
+    """Those of the derivation in A, h, h_A, h_AA, m, zeta and F_0, by power of Omega, and the resultants.
+
+    response, fold, bend, peak, quadratic: F, F_A/2, F_AA/2, F_Omega/(4 A), A F_A/2 - F
+    every_fold, onset, detachment: Res_Omega(F, F_A), by power of A; (33), of A; (34), of F_0
     """
-
-    response: tuple[sp.Expr, ...]
-    fold: tuple[sp.Expr, ...]
-    bend: tuple[sp.Expr, ...]
-    peak: tuple[sp.Expr, ...]
-    quadratic: tuple[sp.Expr, ...]
-
-
-def system(results: Results) -> System:
-    """The polynomials, and that A F_A/2 - F is quadratic."""
-    flow = results.flows[""]
+    flow, rod = results.flows[""], results.mechanisms[MECHANISM]
     whole = {R: flow.R, I: flow.I}
     response, fold, bend = (sp.expand(e.subs(whole)) for e in (flow.F, flow.F_A / 2, flow.F_AA / 2))
 
-    def by_power(expression: sp.Expr, degree: int) -> tuple[sp.Expr, ...]:
+    def by_power(expression: sp.Expr, degree: int) -> dict[int, sp.Expr]:
         polynomial = sp.Poly(expression, Omega)
         if polynomial.degree() != degree:
             raise ArithmeticError(f"{expression} has not degree {degree} in Omega")
-        return tuple(polynomial.coeff_monomial(Omega**k) for k in range(degree + 1))
+        return {k: polynomial.coeff_monomial(Omega**k) for k in range(degree + 1)}
 
-    return System(
-        by_power(response, 4),
-        by_power(fold, 4),
-        by_power(bend, 4),
-        by_power(sp.cancel(flow.F_Omega.subs(whole) / (4 * A)), 3),
-        by_power(sp.expand(A * fold - response), 2),
-    )
+    return {
+        "response": by_power(response, 4),
+        "fold": by_power(fold, 4),
+        "bend": by_power(bend, 4),
+        "peak": by_power(sp.cancel(flow.F_Omega.subs(whole) / (4 * A)), 3),
+        "quadratic": by_power(sp.expand(A * fold - response), 2),
+        "every_fold": rod.saddle_nodes.reduced,
+        "onset": rod.saddle_node_onset.reduced,
+        "detachment": results.detachment[""].resultant.reduced,
+    }
+
+
+def coefficients(mechanism: OfMechanism, parameters: Mapping[str, Fraction]) -> dict[sp.Symbol, arb]:
+    """Coefficients and breakpoints of the averaged force, by the names of Table 1."""
+    ratios = {symbol: ball(parameters[symbol.name]) for symbol in mechanism.oscillator.mechanism.ratios}
+    return {symbol: evaluate(value, ratios) for symbol, value in mechanism.oscillator.definitions.items()}
 
 
 def _value(x: Any) -> arb:
@@ -84,45 +84,35 @@ def _value(x: Any) -> arb:
 class Example:
     """The isolator at one set of exact parameters, by the names of Table 1."""
 
-    def __init__(self, results: Results, polynomials: System, parameters: Mapping[str, Fraction]) -> None:
+    def __init__(self, results: Results, of: Polynomials, parameters: Mapping[str, Fraction]) -> None:
         derived = results.mechanisms[MECHANISM]
-        self.polynomials = polynomials
+        self.polynomials = of
         self.parameters = dict(parameters)
-        self.zeta = arb(rational(parameters["zeta"]))
-        self.m = 4 * arb(rational(parameters["mu"])) / arb.pi()
-        ratios = {symbol: arb(rational(parameters[symbol.name])) for symbol in derived.oscillator.mechanism.ratios}
-        self.coefficients = {
-            symbol: evaluate(value, ratios) for symbol, value in derived.oscillator.definitions.items()
-        }
+        self.zeta, self.m = ball(parameters["zeta"]), 4 * ball(parameters["mu"]) / arb.pi()
+        self.known = {**coefficients(derived, parameters), m: self.m, zeta: self.zeta}
         self.attached_forms = derived.whole.regimes[0].derivatives
         regime = derived.whole.regimes[1]
-        (self.end,) = regime.passed
-        self.u_cr = self.coefficients[self.end]
+        self.u_cr = self.known[regime.passed[0]]
         self.lets = regime.lets
         self.root = next(symbol for symbol, _ in regime.lets if symbol.name == "root")
         self.detached_forms = regime.derivatives[0], sp.expand(self.root * regime.derivatives[1])
         self._seen: dict[Any, tuple[dict[sp.Symbol, Any], Any]] = {}
-        self.onset_polynomial = derived.saddle_node_onset.reduced
-        self.folds_polynomial = derived.saddle_nodes.reduced
-        self.detachment_polynomial = results.detachment[""].resultant.reduced
 
     # ---- the averaged force ---------------------------------------------------------------------------------------
 
     def attached(self, amplitude: Any) -> dict[sp.Symbol, Any]:
-        """A, h, h_A, h_AA for A <= u_cr, with the damping."""
-        values = {**self.coefficients, A: amplitude}
-        found = {
-            symbol: evaluate(form, values) for symbol, form in zip((h, h_A, h_AA), self.attached_forms, strict=False)
-        }
-        return {A: amplitude, m: self.m, zeta: self.zeta, **found}
+        """A, h, h_A, h_AA for A <= u_cr, with the coefficients and the damping."""
+        values = {**self.known, A: amplitude}
+        forms = zip((h, h_A, h_AA), self.attached_forms, strict=False)
+        return values | {symbol: evaluate(form, values) for symbol, form in forms}
 
     def detached(self, t: Any) -> tuple[dict[sp.Symbol, Any], Any]:
         """A, h and root h_A (in place of h_A) at A = u_cr sqrt(1 + t^2); and root = u_cr t."""
-        values: dict[sp.Symbol, Any] = {**self.coefficients, A: self.u_cr * (1 + t * t).sqrt()}
+        values: dict[sp.Symbol, Any] = {**self.known, A: self.u_cr * (1 + t * t).sqrt()}
         for symbol, value in self.lets:
             values[symbol] = self.u_cr * t if symbol == self.root else evaluate(value, values)
         force, slope = (evaluate(form, values) for form in self.detached_forms)
-        return {A: values[A], h: force, h_A: slope, m: self.m, zeta: self.zeta}, values[self.root]
+        return values | {h: force, h_A: slope}, values[self.root]
 
     def narrowed(self, t: Any) -> tuple[dict[sp.Symbol, Any], Any]:
         """`detached`, kept for the next forcing; on an interval with h and root h_A by their mean-value forms."""
@@ -149,19 +139,21 @@ class Example:
 
     # ---- points ---------------------------------------------------------------------------------------------------
 
-    def polynomial(self, forms: tuple[sp.Expr, ...], values: dict[sp.Symbol, Any]) -> list[arb]:
-        """Coefficients by power of Omega."""
-        return [evaluate(form, values) for form in forms]
+    def at_Omega(self, name: str, frequency: arb, values: dict[sp.Symbol, Any]) -> arb:
+        """The value of one of the polynomials."""
+        return sum((evaluate(form, values) * frequency**k for k, form in self.polynomials[name].items()), arb(0))
+
+    def zeros(self, name: str, values: dict[sp.Symbol, Any]) -> list[arb]:
+        """Its positive zeros."""
+        return polynomial_zeros({k: evaluate(form, values) for k, form in self.polynomials[name].items()})
 
     def forcing(self, frequency: arb, amplitude: arb) -> arb:
         """The forcing whose response passes through this point."""
-        coefficients = self.polynomial(self.polynomials.response, {**self.at(amplitude), F_0: arb(0)})
-        return sum((c * frequency**k for k, c in enumerate(coefficients)), arb(0)).sqrt()
+        return self.at_Omega("response", frequency, {**self.at(amplitude), F_0: arb(0)}).sqrt()
 
     def frequencies(self, amplitude: arb, forcing: arb) -> list[arb]:
         """Every Omega > 0 at this amplitude, by rising size."""
-        coefficients = self.polynomial(self.polynomials.response, {**self.at(amplitude), F_0: forcing})
-        return polynomial_zeros(dict(enumerate(coefficients)))
+        return self.zeros("response", {**self.at(amplitude), F_0: forcing})
 
     def _on_both(self, at: dict[sp.Symbol, Any], root: Any, forcing: arb, branch: int) -> Any:
         """What is left of F = F_A = 0 at an amplitude when its Omega is put in; None where that is negative.
@@ -194,10 +186,7 @@ class Example:
 
     def folds(self, forcing: arb) -> list[Point]:
         """Every fold with u_cr != A < 1 at this forcing, by rising Omega."""
-        values = {symbol: value for symbol, value in self.coefficients.items() if symbol != self.end}
-        values |= {m: self.m, zeta: self.zeta, F_0: forcing}
-        by_power = {power: evaluate(form, values) for power, form in self.folds_polynomial.items()}
-        candidates = [a for a in polynomial_zeros(by_power) if sign(self.u_cr - a) > 0]
+        candidates = [a for a in self.zeros("every_fold", {**self.known, F_0: forcing}) if sign(self.u_cr - a) > 0]
         points = [p for a in candidates for p in self._common(a, ATTACHED, forcing)]
         points += self.detached_folds(forcing, self.u_cr, arb(1))
         return sorted(points, key=lambda p: p.Omega.mid())
@@ -219,16 +208,13 @@ class Example:
     def _common(self, amplitude: arb, regime: str, forcing: arb) -> list[Point]:
         """The Omega > 0 at which both A F_A/2 - F and F vanish at this zero of their resultant: one or none."""
         values = {**self.at(amplitude), F_0: forcing}
-        c, b, a = self.polynomial(self.polynomials.quadratic, values)
+        c, b, a = (evaluate(form, values) for form in self.polynomials["quadratic"].values())
         discriminant = b * b - 4 * a * c
         if discriminant < 0:
             return []
         spread = discriminant.sqrt()
-        response = self.polynomial(self.polynomials.response, values)
-        hits = []
-        for frequency in ((-b + spread) / (2 * a), (-b - spread) / (2 * a)):
-            if sum((f * frequency**k for k, f in enumerate(response)), arb(0)).contains(0):
-                hits.append(frequency)
+        both = ((-b + spread) / (2 * a), (-b - spread) / (2 * a))
+        hits = [frequency for frequency in both if self.at_Omega("response", frequency, values).contains(0)]
         if len(hits) != 1:
             raise ArithmeticError(f"{len(hits)} frequencies at A = {amplitude}")
         if not hits[0] > 0:
@@ -242,25 +228,19 @@ class Example:
 
     def stability(self, frequency: arb, amplitude: arb) -> arb:
         """F_A/2."""
-        coefficients = self.polynomial(self.polynomials.fold, self.at(amplitude))
-        return sum((c * frequency**k for k, c in enumerate(coefficients)), arb(0))
+        return self.at_Omega("fold", frequency, self.at(amplitude))
 
     @functools.cached_property
     def onset_candidates(self) -> list[tuple[arb, list[Point]]]:
         """Positive roots of (33), each with the points at which F_A and F_AA do vanish (Omega > 0)."""
-        values = {symbol: value for symbol, value in self.coefficients.items() if symbol != self.end}
-        values |= {m: self.m, zeta: self.zeta}
-        by_power = {power: evaluate(form, values) for power, form in self.onset_polynomial.items()}
         found = []
-        for amplitude in polynomial_zeros(by_power):
-            at = self.attached(amplitude)
-            fold = self.polynomial(self.polynomials.fold, at)
-            points = []
-            for frequency in polynomial_zeros(dict(enumerate(self.polynomial(self.polynomials.bend, at)))):
-                if sum((c * frequency**k for k, c in enumerate(fold)), arb(0)).contains(0):
-                    response = self.polynomial(self.polynomials.response, {**at, F_0: arb(0)})
-                    forcing = sum((c * frequency**k for k, c in enumerate(response)), arb(0)).sqrt()
-                    points.append(Point(frequency, amplitude, forcing, ATTACHED if amplitude < self.u_cr else DETACHED))
+        for amplitude in self.zeros("onset", self.known):
+            at, regime = self.attached(amplitude), ATTACHED if amplitude < self.u_cr else DETACHED
+            points = [
+                Point(frequency, amplitude, self.at_Omega("response", frequency, {**at, F_0: arb(0)}).sqrt(), regime)
+                for frequency in self.zeros("bend", at)
+                if self.at_Omega("fold", frequency, at).contains(0)
+            ]
             found.append((amplitude, points))
         return found
 
@@ -277,11 +257,8 @@ class Example:
         As A falls from u_cr the sign of F_A at that Omega changes at A_s: it is below u_cr where this is negative.
         """
         at = self.attached(self.u_cr)
-        bends = polynomial_zeros(dict(enumerate(self.polynomial(self.polynomials.bend, at))))
-        if not bends:
-            return None
-        fold = self.polynomial(self.polynomials.fold, at)
-        return sum((c * bends[0] ** k for k, c in enumerate(fold)), arb(0))
+        bends = self.zeros("bend", at)
+        return self.at_Omega("fold", bends[0], at) if bends else None
 
     @functools.cached_property
     def corner(self) -> arb:
@@ -295,18 +272,16 @@ class Example:
         at = self.attached(self.u_cr)
         points = [
             Point(frequency, self.u_cr, self.forcing(frequency, self.u_cr), ATTACHED)
-            for frequency in polynomial_zeros(dict(enumerate(self.polynomial(self.polynomials.peak, at))))
+            for frequency in self.zeros("peak", at)
         ]
         lowest = min(points, key=lambda p: p.F_0.mid())
-        by_power = {power: evaluate(form, at) for power, form in self.detachment_polynomial.items()}
-        if sum(root.overlaps(lowest.F_0) for root in polynomial_zeros(by_power)) != 1:
+        if sum(root.overlaps(lowest.F_0) for root in self.zeros("detachment", at)) != 1:
             raise ArithmeticError("F_cr is not a root of (34)")
         return lowest
 
     def lowest_forcing(self, amplitude: arb) -> tuple[arb, arb]:
         """The lowest forcing that reaches this amplitude, and the Omega > 0 at which it does."""
-        cubic = self.polynomial(self.polynomials.peak, self.at(amplitude))
-        found = [(self.forcing(x, amplitude), x) for x in polynomial_zeros(dict(enumerate(cubic)))]
+        found = [(self.forcing(x, amplitude), x) for x in self.zeros("peak", self.at(amplitude))]
         return min(found, key=lambda pair: pair[0].mid())
 
     def peak(self, forcing: arb) -> Point:

@@ -20,8 +20,8 @@ from ..paper.averaging import cycle_integral
 from ..paper.den_hartog import U, V
 from ..results import Results
 from ..symbols import F_0, A, Omega, h, mu, psi, tau, u, zeta
-from .balls import evaluate, isolate, polynomial_zeros, rational, rounded, sign
-from .example import ATTACHED, Example, Point, system
+from .balls import ball, evaluate, isolate, rounded, sign
+from .example import ATTACHED, Example, Point, Polynomials, polynomials
 from .formulas import GROUPS, MECHANISM, Subject, detached_derivative, shared_symbols, whole_averages
 from .judging import Judgement, judge
 from .proofs import canonical
@@ -39,7 +39,7 @@ def _share_from_which_on(holds: Callable[[Fraction], bool]) -> arb:
     while high - low > Fraction(1, 10**6):
         middle = (low + high) / 2
         low, high = (low, middle) if holds(middle) else (middle, high)
-    return arb(rational(low)).union(arb(rational(high)))
+    return ball(low).union(ball(high))
 
 
 @dataclass(frozen=True)
@@ -118,17 +118,17 @@ class Facts:
         return self.isolator()
 
     @functools.cached_property
-    def _system(self) -> Any:
-        return system(self.results)
+    def _polynomials(self) -> Polynomials:
+        return polynomials(self.results)
 
     def isolator(self, **changed: Fraction) -> Example:
         """Table 1, with changes."""
-        return Example(self.results, self._system, {**self.published.TABLE_1, **changed})
+        return Example(self.results, self._polynomials, {**self.published.TABLE_1, **changed})
 
     def forcing(self, label: str) -> arb:
         """The forcing of a row of Table 2, or any decimal."""
         named = {"F_SN": self.example.onset.F_0, "F_cr": self.example.detachment.F_0}
-        return named[label] if label in named else arb(rational(Fraction(label)))
+        return named[label] if label in named else ball(label)
 
     def folds(self, label: str) -> list[Point]:
         """Every fold at that forcing, by rising Omega."""
@@ -164,7 +164,7 @@ class Facts:
         """How much linear interpolation of F, 1/999 apart in Omega, may lower the jump-down Omega at 0.040."""
         point = self.mesh_point("0.040", "jump-down")
         values = {**self.example.at(point.A), F_0: self.forcing("0.040")}
-        f = [evaluate(form, values) for form in self._system.response]
+        f = [evaluate(form, values) for form in self._polynomials["response"].values()]
         x = point.Omega
         slope = f[1] + 2 * f[2] * x + 4 * f[4] * x**3
         bend = 2 * f[2] + 12 * f[4] * x**2
@@ -202,19 +202,16 @@ class Facts:
         if points:
             raise ArithmeticError("the least root of (33) is no candidate more")
         at = self.example.attached(amplitude)
-        bend = [evaluate(form, at) for form in self._system.bend]
         # F_AA is even in Omega: its positive zeros, mirrored
-        for frequency in polynomial_zeros(dict(enumerate(bend))):
-            fold = sum((evaluate(form, at) * (-frequency) ** k for k, form in enumerate(self._system.fold)), arb(0))
-            if fold.contains(0):
+        for frequency in self.example.zeros("bend", at):
+            if self.example.at_Omega("fold", -frequency, at).contains(0):
                 return amplitude, -frequency
         raise ArithmeticError("no common root on the real axis")
 
     @functools.cached_property
     def bends_at_onset(self) -> list[arb]:
         """Positive Omega with F_AA = 0 at A_s."""
-        at = self.example.attached(self.example.onset.A)
-        return polynomial_zeros(dict(enumerate(self.example.polynomial(self._system.bend, at))))
+        return self.example.zeros("bend", self.example.attached(self.example.onset.A))
 
     @functools.cached_property
     def other_onsets(self) -> list[tuple[list[arb], arb]]:
@@ -261,8 +258,7 @@ class Facts:
     @functools.cached_property
     def detachment_roots(self) -> list[arb]:
         """Positive roots of (34)."""
-        at = self.example.attached(self.example.u_cr)
-        return polynomial_zeros({k: evaluate(f, at) for k, f in self.example.detachment_polynomial.items()})
+        return self.example.zeros("detachment", self.example.attached(self.example.u_cr))
 
     def onset_roots(self, **changed: Fraction) -> tuple[list[arb], arb]:
         """Positive roots of (33) for an isolator, and the one that solves F_A = F_AA = 0 with Omega > 0."""
@@ -330,7 +326,7 @@ class Facts:
         """The largest of 99 values of the maximand of (37): a lower bound of S."""
         exact = self.results.den_hartog.exact
         form = exact.slope_ratio.subs(U, exact.damping)
-        w = arb(rational(Fraction(frequency)))
+        w = ball(frequency)
         values = [evaluate(form, {Omega: w, tau: arb.pi() / w * k / 100}) for k in range(1, 100)]
         return max(values, key=lambda x: x.mid())
 
@@ -357,7 +353,7 @@ class Facts:
     def amplitudes_without_stiffening(self, frequency: str, ratio: str) -> tuple[arb, arb]:
         """A/F_0 of the linear oscillator with friction mu/F_0 = ratio: averaged (24) and exact (35)."""
         exact = self.results.den_hartog.exact
-        w, friction = arb(rational(Fraction(frequency))), arb(rational(Fraction(ratio)))
+        w, friction = ball(frequency), ball(ratio)
         at = {Omega: w, F_0: arb(1), mu: friction}
         response = evaluate(exact.response, at)
         values = {**at, V: response, U: evaluate(exact.damping, at)}
@@ -390,14 +386,10 @@ class Facts:
 
     def smallest_amplitude(self, frequency: str, label: str) -> arb:
         """The least amplitude of the response at a frequency."""
-        w, forcing = arb(rational(Fraction(frequency))), self.forcing(label)
+        w, forcing = ball(frequency), self.forcing(label)
 
         def response(amplitude: Any) -> Any:
             at = {**self.example.attached(amplitude), F_0: forcing}
-            coefficients = (evaluate(form, at) * w**k for k, form in enumerate(self._system.response) if form != 0)
-            total = next(coefficients)
-            for term in coefficients:
-                total = total + term
-            return total
+            return self.example.at_Omega("response", w, at)
 
         return isolate(response, arb("0.001"), arb(self.example.u_cr.lower()))[0]

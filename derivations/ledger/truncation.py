@@ -12,8 +12,8 @@ from typing import Any
 from flint import arb, arb_mat
 
 from ..symbols import F_0, A, h, h_A
-from .balls import evaluate, rational, significant
-from .example import ATTACHED, Example
+from .balls import evaluate, significant
+from .example import ATTACHED, Example, coefficients
 from .facts import Facts
 
 UNTRUNCATED = "rod_spring_untruncated"
@@ -26,32 +26,26 @@ class Untruncated:
 
     def __init__(self, facts: Facts, example: Example) -> None:
         derived = facts.results.mechanisms[UNTRUNCATED]
-        self.example = example
-        ratios = {s: arb(rational(example.parameters[s.name])) for s in derived.oscillator.mechanism.ratios}
-        self.coefficients = {s: evaluate(value, ratios) for s, value in derived.oscillator.definitions.items()}
+        self.example, self.u_cr = example, example.u_cr
+        self.known = {**example.known, **coefficients(derived, example.parameters)}
         self.regimes = derived.whole.regimes
-        self.u_cr = example.u_cr
 
     def at(self, amplitude: arb) -> dict[Any, Any]:
         """A, h, h_A and the damping."""
         regime = self.regimes[0 if not amplitude > self.u_cr else 1]
-        values = {**self.coefficients, A: amplitude}
+        values = {**self.known, A: amplitude}
         for symbol, value in regime.lets:
             values[symbol] = evaluate(value, values)
         force, slope = (evaluate(form, values) for form in regime.derivatives)
-        return {**self.example.attached(amplitude), h: force, h_A: slope}
-
-    def _polynomial(self, forms: tuple[Any, ...], frequency: arb, values: dict[Any, Any]) -> arb:
-        coefficients = self.example.polynomial(forms, values)
-        return sum((c * frequency**k for k, c in enumerate(coefficients)), arb(0))
+        return {**values, h: force, h_A: slope}
 
     def response(self, frequency: arb, amplitude: arb, forcing: arb) -> arb:
         """F."""
-        return self._polynomial(self.example.polynomials.response, frequency, {**self.at(amplitude), F_0: forcing})
+        return self.example.at_Omega("response", frequency, {**self.at(amplitude), F_0: forcing})
 
     def stability(self, frequency: arb, amplitude: arb) -> arb:
         """F_A/2."""
-        return self._polynomial(self.example.polynomials.fold, frequency, self.at(amplitude))
+        return self.example.at_Omega("fold", frequency, self.at(amplitude))
 
     def fold(self, forcing: arb, frequency: arb, amplitude: arb) -> tuple[arb, arb]:
         """Omega and A of the fold next to a point."""
@@ -73,7 +67,7 @@ class Untruncated:
         """F_cr and Omega_cr next to a frequency."""
 
         def peak(w: arb) -> list[arb]:
-            return [self._polynomial(self.example.polynomials.peak, w, self.at(self.u_cr))]
+            return [self.example.at_Omega("peak", w, self.at(self.u_cr))]
 
         (w,) = _newton(peak, [frequency])
         return self.response(w, self.u_cr, arb(0)).sqrt(), w
