@@ -93,12 +93,6 @@ corpus: $(DEVELOPED)
 bench: $(DEVELOPED)
 	-$(PIP) --no-compile "slowflow[bench]"
 	$(BIN)/python -m benchmarks
-	$(BIN)/python -m benchmarks.bench_scenes
-	$(BIN)/python -m benchmarks.bench_derive
-	$(BIN)/python -m benchmarks.bench_exact
-	$(BIN)/python -m benchmarks.bench_grid
-	$(BIN)/python -m benchmarks.bench_paper
-	$(BIN)/python -m benchmarks.peers
 
 validity: $(DEVELOPED)
 	$(BIN)/python -m benchmarks.claims

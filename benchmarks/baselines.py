@@ -176,32 +176,34 @@ def fold_roots_by_bracketing(A: float, cells: int, tolerance: float) -> np.ndarr
 
 def prepare() -> dict[str, jobs.Job]:
     """Jobs by name."""
-    out: dict[str, jobs.Job] = {}
     roots, bracketing, recipe = METHODS
+    some = jobs.amplitudes(jobs.SAMPLES)
+    calls: dict[str, Callable[[], Any]] = {f"response | {roots} | expanded (24)": partial(by_numpy_roots, some)}
 
     def cells_for(cells: int, tolerance: float) -> Callable[[np.ndarray], list[np.ndarray]]:
         return partial(by_bracketing, cells=cells, tolerance=tolerance)
 
     for power in range(6):
         amplitudes = jobs.amplitudes(10**power)
-        out[f"response {10**power} | {roots}"] = partial(by_numpy_roots, amplitudes), jobs.of_rows
-        out[f"response {10**power} | {bracketing}"] = partial(cells_for(100, 1e-12), amplitudes), jobs.of_rows
-    some = jobs.amplitudes(jobs.SAMPLES)
-    out[f"response | {roots} | expanded (24)"] = partial(by_numpy_roots, some), jobs.of_rows
+        calls[f"response {10**power} | {roots}"] = partial(by_numpy_roots, amplitudes)
+        calls[f"response {10**power} | {bracketing}"] = partial(cells_for(100, 1e-12), amplitudes)
     for cells, tolerance in ((20, 1e-12), (100, 1e-4), (100, 1e-8), (100, 1e-12), (2000, 1e-12)):
-        job = partial(cells_for(cells, tolerance), some), jobs.of_rows
-        out[f"response | {bracketing} | {cells} cells, xtol {tolerance:.0e}"] = job
+        calls[f"response | {bracketing} | {cells} cells, xtol {tolerance:.0e}"] = partial(
+            cells_for(cells, tolerance), some
+        )
     for cells, tolerance in ((30, 1e-12), (100, 1e-4), (100, 1e-8), (100, 1e-12)):
         variant = f"{cells} amplitudes, xtol {tolerance:.0e}"
-        inner = {roots: by_numpy_roots, bracketing: cells_for(100, tolerance)}
-        for method, omegas in inner.items():
-            out[f"folds | {method} | {variant}"] = partial(folds_between, omegas, cells, tolerance), jobs.of_pairs
-    out[f"folds | {recipe} | attached only, Res(F, F_A)"] = folds_by_recipe, jobs.of_pairs
+        for method, omegas in {roots: by_numpy_roots, bracketing: cells_for(100, tolerance)}.items():
+            calls[f"folds | {method} | {variant}"] = partial(folds_between, omegas, cells, tolerance)
+    calls[f"folds | {recipe} | attached only, Res(F, F_A)"] = folds_by_recipe
     for tolerance in (1e-2, 1e-5, 1e-9):
         variant = f"100 amplitudes, xatol {tolerance:.0e}"
         single = {roots: fold_roots_by_numpy, bracketing: partial(fold_roots_by_bracketing, cells=100, tolerance=1e-12)}
         for method, at in single.items():
-            out[f"onset | {method} | {variant}"] = partial(onset_by_search, at, 100, tolerance), jobs.of_pair
-    out[f"onset | {recipe} | least root, to the letter"] = partial(onset_by_recipe, False), jobs.of_pair
-    out[f"onset | {recipe} | every root tried"] = partial(onset_by_recipe, True), jobs.of_pair
-    return out
+            calls[f"onset | {method} | {variant}"] = partial(onset_by_search, at, 100, tolerance)
+    calls[f"onset | {recipe} | least root, to the letter"] = partial(onset_by_recipe, False)
+    calls[f"onset | {recipe} | every root tried"] = partial(onset_by_recipe, True)
+    return {
+        name: (call, (lambda found: jobs.vectors([found])) if name.startswith("onset") else jobs.vectors)
+        for name, call in calls.items()
+    }

@@ -1,16 +1,7 @@
-"""Maps of designs in stores: time, memory and disk against the number of designs, each map in a process of its own.
-
-    python -m benchmarks.bench_grid
-
-Out: a table on the terminal, benchmarks/results/grid.json, docs/benchmarks.md. Some two minutes of one processor.
-"""
+"""Maps of designs in stores: time, memory and disk against the number of designs, each map in a process of its own."""
 
 from __future__ import annotations
 
-import argparse
-import json
-import subprocess
-import sys
 import tempfile
 import time
 from pathlib import Path
@@ -18,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from benchmarks import document, environment
+from benchmarks.remote import fresh
 from slowflow import Isolator
 
 #: along r, share of the preload that leaves no stiffness, and mu
@@ -78,25 +69,7 @@ def one(question: str, designs: int) -> dict[str, Any]:
     }
 
 
-def main() -> None:
-    """Measure, print, write."""
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--small", action="store_true", help="only the smaller maps, and nothing written")
-    parser.add_argument("--one", nargs=2, metavar=("QUESTION", "DESIGNS"), help="one map, in this process, as JSON")
-    options = parser.parse_args()
-    if options.one:
-        print(json.dumps(one(options.one[0], int(options.one[1]))))
-        return
-    rows = []
-    for question in QUESTIONS:
-        for designs in list(MAPS)[: 2 if options.small else None]:
-            command = [sys.executable, "-m", "benchmarks.bench_grid", "--one", question, str(designs)]
-            rows.append(json.loads(subprocess.run(command, check=True, capture_output=True, text=True).stdout))
-    print("\n".join(document.grid_table(rows)))
-    if not options.small:
-        document.save(document.RESULTS / "grid.json", {"environment": environment.describe(), "rows": rows})
-        document.write()
-
-
-if __name__ == "__main__":
-    main()
+def measure(largest: int) -> list[dict[str, Any]]:
+    """One row for each question and number of designs up to the largest."""
+    code = "import json\nfrom benchmarks.bench_grid import one\nprint(json.dumps(one({!r}, {})))"
+    return [fresh(code.format(question, designs)) for question in QUESTIONS for designs in MAPS if designs <= largest]

@@ -1,15 +1,11 @@
 """The first run: `make paper` on a clone in a folder of its own, and once more, where all is made.
 
-    python -m benchmarks.bench_paper
-
-Out: a table on the terminal, benchmarks/results/paper.json, docs/benchmarks.md. A minute or two; needs git, a compiler
-and a network. What is not committed is not in the clone.
+A minute or two; needs git, a compiler and a network. What is not committed is not in the clone.
 """
 
 from __future__ import annotations
 
 import os
-import shutil
 import subprocess
 import sys
 import tempfile
@@ -17,7 +13,6 @@ import time
 from pathlib import Path
 from typing import Any
 
-from benchmarks import document, environment
 from benchmarks.remote import ROOT, processor
 
 STEPS = ("make paper", "make paper again")
@@ -28,7 +23,7 @@ def size(folder: Path) -> float:
     return sum(path.lstat().st_size for path in folder.rglob("*") if not path.is_dir()) / 1e6
 
 
-def rows() -> list[dict[str, Any]]:
+def measure() -> list[dict[str, Any]]:
     """One row for each step."""
     out = []
     with tempfile.TemporaryDirectory() as folder:
@@ -45,19 +40,3 @@ def rows() -> list[dict[str, Any]]:
             seconds, used = time.perf_counter() - start, processor() - worked
             out.append({"step": step, "seconds": seconds, "processor": used, "disk": size(clone / ".venv")})
     return out
-
-
-def main() -> None:
-    """Measure, print, write."""
-    missing = [program for program in ("git", "make") if shutil.which(program) is None]
-    if missing:
-        print(f"the first run is not measured here: there is no {', no '.join(missing)}")
-        return
-    found = rows()
-    print("\n".join(document.paper_table(found)))
-    document.save(document.RESULTS / "paper.json", {"environment": environment.describe(), "rows": found})
-    document.write()
-
-
-if __name__ == "__main__":
-    main()

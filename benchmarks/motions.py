@@ -101,8 +101,8 @@ def of_amplitude(found: float) -> dict[str, Any]:
 def prepare() -> dict[str, tuple[Callable[[], Any], Callable[[Any], dict[str, Any]]]]:
     """Jobs by name."""
     jobs: dict[str, Callable[[], float]] = {
-        "slowflow, native | Newton": lambda: steady_state(SYSTEM, Omega=OMEGA, F_0=F_0).A,
-        "slowflow, native | 200 periods": followed,
+        "slowflow | Newton": lambda: steady_state(SYSTEM, Omega=OMEGA, F_0=F_0).A,
+        "slowflow | 200 periods": followed,
     }
     if importlib.util.find_spec("heyoka"):
         jobs |= {f"heyoka, events | tol {tol:.0e}": by_heyoka(tol) for tol in (1e-6, 1e-10, 2e-16)}

@@ -1,9 +1,10 @@
-"""Measuring in a process of its own: `Remote` asks, `python -m benchmarks.remote <module>` answers, in lines of JSON.
+"""How everything here is timed: calls in turn, `medians`; jobs in processes of their own, `Remote` and `in_turn`.
 
-The module has `prepare()`, which gives jobs by name: pairs of a function that is timed and one that makes of its
-answer a dictionary for JSON. A request names a job; the reply adds `seconds`, the median of its calls, by the
-processor's clock or by what `clock(job)` of the module gives. The process may be another interpreter with another
-environment: nothing but the standard library is imported here.
+`python -m benchmarks.remote <module>` answers a `Remote` in lines of JSON. The module has `prepare()`, which gives jobs
+by name: pairs of a function that is timed and one that makes of its answer a dictionary for JSON. A request names a
+job; the reply adds `seconds`, the median of its calls, by the processor's clock or by what `clock(job)` of the module
+gives. The process may be another interpreter with another environment: nothing but the standard library is imported
+here.
 """
 
 from __future__ import annotations
@@ -121,6 +122,26 @@ def processor() -> float:
         return time.process_time()
     both = (resource.getrusage(who) for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN))
     return sum(used.ru_utime + used.ru_stime for used in both)
+
+
+def medians(calls: dict[str, Callable[[], Any]], rounds: int) -> dict[str, float]:
+    """Median processor seconds of each call; every round runs all, each after a call that warms the caches for it."""
+    seconds: dict[str, list[float]] = {name: [] for name in calls}
+    for _ in range(rounds):
+        for name, call in calls.items():
+            call()
+            start = processor()
+            call()
+            seconds[name].append(processor() - start)
+    return {name: statistics.median(times) for name, times in seconds.items()}
+
+
+def fresh(code: str, **settings: str) -> Any:
+    """The JSON that a fresh interpreter prints; bytecode is kept, as it is by default and in an installed package."""
+    environment = {key: value for key, value in os.environ.items() if key != "PYTHONDONTWRITEBYTECODE"} | settings
+    command = [sys.executable, "-c", code]
+    done = subprocess.run(command, capture_output=True, text=True, check=True, cwd=ROOT, env=environment)
+    return json.loads(done.stdout)
 
 
 def timed(job: Callable[[], Any], clock: Callable[[], float]) -> tuple[list[float], Any]:

@@ -17,8 +17,9 @@ import numpy as np
 from benchmarks import certified, jobs
 from benchmarks.baselines import METHODS
 from benchmarks.bench_exact import by_stops
+from benchmarks.document import with_earlier
 from benchmarks.peers import bifpy
-from benchmarks.peers.__main__ import interpreter
+from benchmarks.peers.measure import interpreter
 from benchmarks.remote import Failure, Remote, in_turn
 
 MISSED = 0.01
@@ -32,19 +33,6 @@ TITLES = {
 AMPLITUDES = {OURS: 6, METHODS[0]: 4, METHODS[1]: 4}
 DESIGNS = {"detachment": 6, "saddle_node_onset": 5}
 QUESTIONS = {"detachment": "F_cr", "saddle_node_onset": "F_SN"}
-
-
-class Processes:
-    """slowflow and the other methods, each in a process."""
-
-    def __init__(self) -> None:
-        self.ours = Remote("benchmarks.jobs")
-        self.others = Remote("benchmarks.baselines")
-
-    def stop(self) -> None:
-        """End them."""
-        for remote in (self.ours, self.others):
-            remote.stop()
 
 
 def judge(found: Sequence[Sequence[float]], expected: Sequence[Sequence[Any]]) -> tuple[list[float], int, int]:
@@ -73,21 +61,29 @@ def reference(samples: int) -> dict[str, list[list[list[Any]]]]:
 
 def measure(rounds: int, before: dict[str, Any]) -> dict[str, Any]:
     """Scenes and scaling. before: what was measured last, for methods that cannot be run here."""
-    processes = Processes()
+    remotes = {name: Remote(f"benchmarks.{name}") for name in ("jobs", "baselines")}
     try:
-        sizes: dict[str, Any] = {**scaling(processes, 1), "stops": by_stops(7 * rounds)}
-        return {"scenes": [*precision(processes, rounds), with_earlier(motion(), before)], "scaling": sizes}
+        sizes: dict[str, Any] = {**scaling(remotes, 1), "stops": by_stops(7 * rounds)}
+        return {"scenes": [*precision(remotes, rounds), motion(before)], "scaling": sizes}
     finally:
-        processes.stop()
+        for remote in remotes.values():
+            remote.stop()
 
 
-def precision(processes: Processes, rounds: int) -> list[dict[str, Any]]:
-    """One dictionary for each scene."""
-    requests = {f"{scene} | {OURS} | ": (processes.ours, scene) for scene in TITLES}
-    requests |= {job: (processes.others, job) for job in processes.others.jobs if job.split(" | ")[0] in TITLES}
+def answers_to(requests: dict[str, tuple[Remote, str]], rounds: int) -> dict[str, dict[str, Any]]:
+    """Answers in turn, by the keys of the requests."""
     answers, failures = in_turn(requests, rounds)
     if failures:
         raise RuntimeError(f"jobs failed: {failures}")
+    return answers
+
+
+def precision(remotes: dict[str, Remote], rounds: int) -> list[dict[str, Any]]:
+    """One dictionary for each scene."""
+    ours, others = remotes["jobs"], remotes["baselines"]
+    requests = {f"{scene} | {OURS} | ": (ours, scene) for scene in TITLES}
+    requests |= {job: (others, job) for job in others.jobs if job.split(" | ")[0] in TITLES}
+    answers = answers_to(requests, rounds)
     certain = reference(jobs.SAMPLES)
     scenes = []
     for scene, title in TITLES.items():
@@ -113,61 +109,45 @@ def precision(processes: Processes, rounds: int) -> list[dict[str, Any]]:
     return scenes
 
 
-def collocation() -> list[Remote]:
-    """AUTO's collocation, where it can be installed."""
-    try:
-        return [Remote("benchmarks.peers.bifpy_motion", interpreter("bifpy", bifpy.PACKAGES))]
-    except Failure as failure:
-        print(f"{bifpy.NAME}, exact motion: not measured here: {failure}", file=sys.stderr, flush=True)
-        return []
-
-
-def motion() -> dict[str, Any]:
+def motion(before: dict[str, Any]) -> dict[str, Any]:
     """The scene of the equation of motion itself, in one round: some integrators take half a minute."""
-    remotes = [Remote("benchmarks.motions"), *collocation()]
+    remotes, rows = [Remote("benchmarks.motions")], []
+    missing: list[dict[str, Any]] = []
     try:
-        answers, failures = in_turn({job: (remote, job) for remote in remotes for job in remote.jobs}, 1)
+        remotes.append(Remote("benchmarks.peers.bifpy_motion", interpreter("bifpy", bifpy.PACKAGES)))
+    except Failure as failure:
+        missing.append({"method": bifpy.NAME, "failure": str(failure)})
+        print(f"{bifpy.NAME}, exact motion: not measured here: {failure}", file=sys.stderr, flush=True)
+    try:
+        answers = answers_to({job: (remote, job) for remote in remotes for job in remote.jobs}, 1)
     finally:
         for remote in remotes:
             remote.stop()
-    if failures:
-        raise RuntimeError(f"jobs failed: {failures}")
     exact = certified.motion()
-    rows = []
     for key, answer in answers.items():
         _, method, variant = key.split(" | ")
         (error,) = (certified.relative_error(A, exact) for A in answer["found"])
         row = {"method": method, "variant": variant, "seconds": answer["seconds"], "error": error, "error_max": error}
         rows.append({**row, "missed": int(error > MISSED), "false": 0})
-    return {"scene": "motion", "title": "exact motion: its amplitude", "sought": 1, "rows": rows}
+    old = [row for scene in before.get("scenes", ()) if scene["scene"] == "motion" for row in scene["rows"]]
+    kept = with_earlier([*rows, *missing], old, "method", before.get("environment", {}).get("processor"))
+    shown = [row for row in kept if "seconds" in row]
+    return {"scene": "motion", "title": "exact motion: its amplitude", "sought": 1, "rows": shown}
 
 
-def with_earlier(scene: dict[str, Any], before: dict[str, Any]) -> dict[str, Any]:
-    """The scene, and of a method that could not be run the rows that were last measured, which say so as `earlier`."""
-    old = [row for one in before.get("scenes", ()) if one["scene"] == scene["scene"] for row in one["rows"]]
-    ran = {row["method"] for row in scene["rows"]}
-    kept = [row for row in old if row["method"] not in ran]
-    about = before.get("environment", {}).get("processor")
-    return {**scene, "rows": [*scene["rows"], *({"earlier": f"measured earlier, on {about}", **row} for row in kept)]}
-
-
-def scaling(processes: Processes, rounds: int) -> dict[str, list[dict[str, Any]]]:
+def scaling(remotes: dict[str, Remote], rounds: int) -> dict[str, list[dict[str, Any]]]:
     """Seconds by number of amplitudes (the response at them), and by number of designs (F_cr, F_SN)."""
+    ours, others = remotes["jobs"], remotes["baselines"]
     requests: dict[str, tuple[Remote, str]] = {}
-    for power in range(AMPLITUDES[OURS] + 1):
-        requests[f"amplitudes | {OURS} | {10**power}"] = processes.ours, f"response {10**power}"
+    for method, last in AMPLITUDES.items():
+        for size in (10**power for power in range(last + 1)):
+            job = (ours, f"response | {size}") if method == OURS else (others, f"response {size} | {method}")
+            requests[f"amplitudes | {method} | {size}"] = job
     for question, last in DESIGNS.items():
-        for power in range(last + 1):
-            job = f"designs | {QUESTIONS[question]}: {OURS} | {10**power}"
-            requests[job] = processes.ours, f"random {question} {10**power}"
-    for method in METHODS[:2]:
-        for power in range(AMPLITUDES[method] + 1):
-            requests[f"amplitudes | {method} | {10**power}"] = processes.others, f"response {10**power} | {method}"
-    answers, failures = in_turn(requests, rounds)
-    if failures:
-        raise RuntimeError(f"jobs failed: {failures}")
+        for size in (10**power for power in range(last + 1)):
+            requests[f"designs | {QUESTIONS[question]}: {OURS} | {size}"] = ours, f"random | {question} | {size}"
     out: dict[str, list[dict[str, Any]]] = {"amplitudes": [], "designs": []}
-    for key, answer in answers.items():
+    for key, answer in answers_to(requests, rounds).items():
         panel, method, size = key.split(" | ")
         out[panel].append({"method": method, "size": int(size), "seconds": answer["seconds"]})
     return out

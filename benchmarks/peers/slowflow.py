@@ -17,4 +17,4 @@ def prepare():
         folds = iso.saddle_nodes(F_0)
         return found.A.size, zip(folds.Omega, folds.A, strict=True)
 
-    return {f"native, {samples} samples": (lambda samples=samples: curve(samples), answer) for samples in (300, 1000)}
+    return {f"{samples} samples": (lambda samples=samples: curve(samples), answer) for samples in (300, 1000)}

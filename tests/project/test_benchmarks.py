@@ -1,8 +1,6 @@
 """What the benchmarks compare with: the peers' problem and the 40-digit equations against the kernels; the judging."""
 
 import math
-import re
-import shutil
 import subprocess
 import sys
 import time
@@ -12,11 +10,11 @@ import mpmath
 import numpy as np
 import pytest
 
-from benchmarks import bench_exact, certified, counted, document, limits, remote, targets, work_precision
+from benchmarks import bench_exact, certified, document, questions, remote, work_precision
+from benchmarks.document import with_earlier
+from benchmarks.jobs import prepare
 from benchmarks.peers import problem
-from benchmarks.peers.__main__ import with_earlier
 from benchmarks.remote import Remote, in_turn
-from slowflow.exact.motion import EXACT, PHASE, TURN, handle
 from slowflow.example import DESIGN, TABLE_1
 from slowflow_kernels import rod_spring, slow_flow
 
@@ -74,17 +72,17 @@ def test_quantities_in_words() -> None:
     assert document.quantity(float(np.float64(0)), "MB") == "0 MB"
 
 
-def test_peer_that_cannot_be_installed_keeps_its_rows() -> None:
+def test_tool_that_cannot_be_run_keeps_its_rows() -> None:
     """And says so; one that ran and failed has no time, whatever it had before."""
     measured = {"peer": "AUTO", "what": "continuation", "variant": "large steps", "seconds": 1.0}
-    before = {"environment": {"processor": "another"}, "rows": [measured, {**measured, "peer": "ran"}]}
+    before = [measured, {**measured, "peer": "ran"}]
     missing = {"peer": "AUTO", "what": "continuation", "failure": "does not install: there is no gfortran"}
     ran = {"peer": "ran", "what": "", "variant": "large steps", "failure": "no answer"}
     new = {"peer": "new", "what": "", "failure": "does not install"}
-    rows = with_earlier([missing, ran, new], before)
+    rows = with_earlier([missing, ran, new], before, "peer", "another")
     note = "measured earlier, on another; now: does not install: there is no gfortran"
     assert rows == [{**measured, "earlier": note}, ran, new]
-    (again,) = with_earlier([missing], {"environment": {"processor": "a third"}, "rows": [rows[0]]})
+    (again,) = with_earlier([missing], [rows[0]], "peer", "a third")
     assert again["earlier"] == note
 
 
@@ -92,14 +90,13 @@ def test_peers_not_at_hand_keep_their_figures() -> None:
     """And say so once, however often they are missed; what was never measured stays missing."""
     before = {"environment": {"processor": "another"}, "rows": [{"job": "quartic", "others": {"Boost.Math": "90 ns"}}]}
     for _ in range(2):
-        (row,) = targets.with_earlier([{"job": "quartic", "others": {"Boost.Math": None, "ACM": None}}], before)
+        (row,) = questions.with_earlier([{"job": "quartic", "others": {"Boost.Math": None, "ACM": None}}], before)
         assert row["others"] == {"Boost.Math": "90 ns (measured earlier, on another)", "ACM": None}
         before = {"environment": {"processor": "a third"}, "rows": [row]}
-    (row,) = targets.with_earlier([{"job": "quartic", "others": {"Boost.Math": "80 ns"}}], before)
+    (row,) = questions.with_earlier([{"job": "quartic", "others": {"Boost.Math": "80 ns"}}], before)
     assert row["others"] == {"Boost.Math": "80 ns"}
-    about = {"ratio": "NumPy", "at_most": True, "target": 1.0, "measured": 2.0, "unit": "s", "reached": False}
-    (*_, line) = document.bench_table([{"job": "quartic", **about, "others": {"Boost.Math": "80 ns", "ACM": None}}])
-    assert "NumPy; 80 ns; ACM is not installed here" in line
+    row = {"job": "quartic", "comparison": "NumPy", "others": {"Boost.Math": "80 ns", "ACM": None}}
+    assert document.comparison(row) == "NumPy; 80 ns; ACM is not installed here"
 
 
 def test_the_pages_are_those_of_the_results(tmp_path: Path) -> None:
@@ -110,15 +107,6 @@ def test_the_pages_are_those_of_the_results(tmp_path: Path) -> None:
         assert (tmp_path / page.name).read_text(encoding="utf-8") == page.read_text(encoding="utf-8")
 
 
-def test_method_that_cannot_run_keeps_its_place_in_the_diagram() -> None:
-    row = {"method": "AUTO", "variant": "5 intervals", "seconds": 1.0}
-    before = {"environment": {"processor": "another"}, "scenes": [{"scene": "motion", "rows": [row]}]}
-    ours = {"method": "ours", "variant": "", "seconds": 2.0}
-    found = work_precision.with_earlier({"scene": "motion", "rows": [ours]}, before)
-    assert found["rows"] == [ours, {**row, "earlier": "measured earlier, on another"}]
-    assert work_precision.with_earlier({"scene": "motion", "rows": [row]}, before)["rows"] == [row]
-
-
 def test_processor_time_holds_what_a_process_waited_for() -> None:
     """And no time that it only waits."""
     start = remote.processor()
@@ -127,21 +115,6 @@ def test_processor_time_holds_what_a_process_waited_for() -> None:
     busy = "import time; start = time.process_time()\nwhile time.process_time() - start < 0.3: pass"
     subprocess.run([sys.executable, "-c", busy], check=True)
     assert remote.processor() - start > 0.3
-
-
-@pytest.mark.slow
-@pytest.mark.skipif(shutil.which("gcc") is None, reason="what is counted gcc compiles")
-@pytest.mark.night
-def test_what_a_limit_leaves_unexplained_is_told() -> None:
-    """In seconds and percent; a motion's steps and phases are those of the integrator."""
-    states, motion = counted.of(["amplitudes", "motion"])
-    for sentence in (states, motion):
-        assert re.search(r"together [\d.]+ .?s; unexplained -?[\d.]+ .?s, -?\d+ %", sentence)
-    steps = int(re.search(r"by (\d+) steps", motion)[1])
-    arguments = handle(bench_exact.table_1(True)), bench_exact.OMEGA, 0.04, 0.0, 0.0, 0.0, 200 * TURN
-    _, taken, phases = EXACT.follow(*arguments, False, 0, 0, 10**6)
-    assert steps == taken
-    assert f" {len(phases) // PHASE.size} phases" in motion
 
 
 def test_a_process_that_was_ended_is_said_to_be_so() -> None:
@@ -158,32 +131,18 @@ def test_what_stops_cost_is_measured_from_motions_that_stop() -> None:
     assert len(stops) > 3 and stops == sorted(set(stops))
 
 
-def test_missed_target_is_explained_by_the_machine_or_said() -> None:
-    """Boost.Math takes twice as long here as where the targets were set."""
-
-    def row(job, target, measured, unit, at_most, limit=""):
-        return targets.Target(job, target, measured, unit, at_most, "", "", limit)
-
-    known = [2 * one for one in limits.BOOST]
-    found = [
-        targets.replace(row("quartics", 4.0, 3.0, "s", True), known=known),
-        row("a time", 1.0, 1.9, "s", True),
-        row("a rate", 10.0, 5.5, "per second", False),
-        row("a slow time", 1.0, 2.1, "s", True),
-        row("a slow rate", 10.0, 4.0, "per second", False, "peak"),
-        row("a ratio", 2.0, 2.1, "×", True),
-        row("kept", 1.0, 0.5, "s", True),
-    ]
-    rows = [{**targets.asdict(one), "reached": one.reached} for one in found]
-    by_less, silent = limits.pace(rows)
-    assert by_less.endswith(" 2 times as long; missed by less than that: a time (by 1.9), a rate (by 1.8)")
-    assert silent == "missed, and not known why: a slow time, a ratio"
-    unknown, silent = limits.pace([{**one, "known": []} for one in rows])
-    assert "was not measured" in unknown and silent.endswith("why: a time, a rate, a slow time, a ratio")
+def test_wrong_answer_has_no_time() -> None:
+    questions.check(True, "folds")
+    with pytest.raises(RuntimeError, match="folds: the answers are wrong"):
+        questions.check(False, "folds")
 
 
-@pytest.mark.parametrize("kind", limits.WORK)
-def test_work_for_counted_instructions_can_be_done(kind, monkeypatch):
-    """One asked by arguments that a question no longer takes, and `make bench` ended there."""
-    monkeypatch.setattr(sys, "argv", ["", "1"])
-    exec(limits.COUNTED.format(limits.WORK[kind][1]), {})
+@pytest.mark.slow
+def test_jobs_answer_with_what_is_checked() -> None:
+    """A batch of every kind, and the folds of Table 1, which are right."""
+    jobs = prepare()
+    run, describe = jobs["curve"]
+    assert questions.largest_error(describe(run())["found"], certified.folds()) < 1e-13
+    for name in ("random | amplitudes", "Table 1 | detachment", "second | peak", "workers 2 | saddle_nodes"):
+        run, describe = jobs[f"{name} | 10"]
+        assert describe(run())["status"] < questions.UNSOLVED

@@ -1,13 +1,11 @@
 """Peers on the same problem in one run, each in an environment of its own; a peer that fails is a row with the reason.
 
-In:  the adapters of this folder, and pip. Out: a table, benchmarks/results/peers.json, docs/benchmarks.md.
+In:  the adapters of this folder, and pip. Out: rows.
 All that run are asked in turn in every round, so that medians and ratios come from the same minutes.
-The last part of `make bench`, or `python -m benchmarks.peers [--rounds N] [peer ...]`.
 """
 
 from __future__ import annotations
 
-import argparse
 import importlib
 import json
 import re
@@ -16,10 +14,10 @@ import subprocess
 import sys
 import tempfile
 import venv
-from pathlib import Path
 from typing import Any
 
-from benchmarks import certified, document, environment
+from benchmarks import certified
+from benchmarks.document import with_earlier
 from benchmarks.remote import ROOT, Failure, Remote, in_turn
 
 ENVIRONMENTS = ROOT / ".venv-peers"
@@ -71,12 +69,15 @@ def judged(folds: list[list[float]]) -> tuple[int, float | None]:
     return len(errors), max(errors, default=None)
 
 
-def measure(peers: list[str], rounds: int) -> list[dict[str, Any]]:
-    """One dictionary for each variant of each peer, or for each peer that does not take part, with the reason."""
+def measure(rounds: int, before: dict[str, Any]) -> list[dict[str, Any]]:
+    """One row for each variant of each peer, or for each peer that does not take part, with the reason.
+
+    before: what was measured last, which is kept of a peer that cannot be run.
+    """
     rows: dict[str, dict[str, Any]] = {}
     jobs: dict[str, tuple[Remote, str]] = {}
     with tempfile.TemporaryDirectory() as home:
-        for name in peers:
+        for name in PEERS:
             adapter = importlib.import_module(f"benchmarks.peers.{name}")
             row = {"peer": adapter.NAME, "what": adapter.WHAT}
             print(f"{adapter.NAME} ...", file=sys.stderr, flush=True)
@@ -112,37 +113,5 @@ def measure(peers: list[str], rounds: int) -> list[dict[str, Any]]:
     for row in rows.values():
         if ours and "seconds" in row:
             row["ratio"] = row["seconds"] / ours[-1]
-    return list(rows.values())
-
-
-def with_earlier(rows: list[dict[str, Any]], before: dict[str, Any]) -> list[dict[str, Any]]:
-    """The rows, and for a peer that could not be run those that were last measured of it, which say so as `earlier`."""
-    kept = []
-    for row in rows:
-        earlier = [old for old in before.get("rows", ()) if old["peer"] == row["peer"] and "seconds" in old]
-        if "failure" in row and "variant" not in row and earlier:
-            note = f"measured earlier, on {before['environment']['processor']}; now: {row['failure']}"
-            kept += [{"earlier": note, **old} for old in earlier]
-        else:
-            kept.append(row)
-    return kept
-
-
-def main() -> None:
-    """Measure, print, write."""
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("peers", nargs="*", default=PEERS, help=f"some of {', '.join(PEERS)}; all by default")
-    parser.add_argument("--rounds", type=int, default=5)
-    parser.add_argument("--results", type=Path, default=document.RESULTS, help="folder for peers.json")
-    parser.add_argument("--docs", type=Path, default=document.DOCS, help="folder for benchmarks.md")
-    options = parser.parse_args()
-    kept = options.results / "peers.json"
-    before = json.loads(kept.read_text()) if kept.exists() else {}
-    rows = with_earlier(measure(list(options.peers), options.rounds), before)
-    document.save(kept, {"environment": environment.describe(), "rows": rows})
-    print("\n".join(document.peers_table(rows)))
-    document.write(options.results, options.docs)
-
-
-if __name__ == "__main__":
-    main()
+    where = before.get("environment", {}).get("processor")
+    return with_earlier(list(rows.values()), before.get("rows", []), "peer", where)
