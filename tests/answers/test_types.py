@@ -1,5 +1,6 @@
 """What type checkers know of questions and answers, and that it is what there is when a program runs."""
 
+import importlib
 import re
 import subprocess
 import sys
@@ -8,8 +9,10 @@ import typing
 import numpy as np
 import pytest
 
+from docs.api import MODULES
 from slowflow import Isolator
 from slowflow.answers import physical_answers
+from slowflow.answers.answer import Entry, Table
 from slowflow.answers.quantities import EXCITED
 from slowflow.oscillators.physical import Physical
 from tests.files import ROOT
@@ -54,6 +57,8 @@ def dimensionless(iso: Isolator, duffing: Duffing) -> None:
     reveal_type(duffing.peak(0.04).A)
     reveal_type(duffing.detachment().F_cr)
     reveal_type(duffing.saddle_node_onset().F_SN)
+    reveal_type([fold.Omega for fold in iso.saddle_nodes(0.04)])
+    reveal_type(iso.saddle_nodes(0.04).plot())
 
 def physical(mount: Physical) -> None:
     reveal_type(mount.saddle_nodes(F=5).f)
@@ -61,6 +66,8 @@ def physical(mount: Physical) -> None:
     reveal_type(mount.frequency_response(5.0, f=(1, 3)).A)
     reveal_type(mount.peak(5).A)
     reveal_type(mount.saddle_node_onset().F_SN)
+    reveal_type(mount.saddle_nodes(5)[0].corner)
+    reveal_type(mount.oscillator.peak(0.04).A)
     reveal_type(mount.steady_state(f=3, F=5).t)
     reveal_type(mount.many(m=[11.0, 12.0]).peak(F=[5.0, 6.0]).A)
     reveal_type(mount.many(m=[11.0, 12.0]).amplitudes(f=3, F=5, places=2).answer)
@@ -70,6 +77,7 @@ def wrong(iso: Isolator, mount: Physical) -> None:
     iso.saddle_nodes("x")  # wrong
     iso.amplitudes(Omega="x", F_0=0.04)  # wrong
     iso.saddle_nodes(0.04).onmega  # wrong
+    iso.saddle_nodes(0.04)[0].onmega  # wrong
     mount.saddle_nodes(F=None)  # wrong
     mount.amplitudes(f=None, F=5)  # wrong
     mount.frequency_response(5, f="ab")  # wrong
@@ -77,6 +85,12 @@ def wrong(iso: Isolator, mount: Physical) -> None:
     mount.many(m=[11.0, 12.0]).peak(G=5)  # wrong
     mount.many(m=[11.0, 12.0]).amplitudes(F=5)  # wrong
 """
+
+
+def subclasses(kind):
+    for one in kind.__subclasses__():
+        yield one
+        yield from subclasses(one)
 
 
 def declared(cls):
@@ -130,6 +144,21 @@ def test_what_an_answer_has_its_type_declares(load, excitation, F):
         for column, value in found.values.items():
             # a proof is asked for of the dimensionless oscillator only
             assert column == "proof" or is_of(value, declared(kind)[column]), (name, column, value)
+        for entry in list(found)[:1] if found.has_rows else ():
+            assert all(type(value).__name__ == Entry.__annotations__[one] for one, value in vars(entry).items()), name
+
+
+def test_every_entry_of_a_table_has_its_numbers_declared():
+    """Whatever the module: of averaging, of exact motions, of sizing; types are those of the arrays of its table."""
+    for module in MODULES:
+        importlib.import_module(module)
+    scalars = {"Floats": "float", "Flags": "bool", "Ints": "int", "npt.NDArray[np.str_]": "str"}
+    for table in subclasses(Table):
+        for entry in (getattr(table, name, None) for name in ("entry", "with_mean")):
+            kinds = {name: kind for one in table.__mro__ for name, kind in vars(one).get("__annotations__", {}).items()}
+            for name in getattr(entry, "_fields", ()):
+                kind = kinds.get(name, "").removesuffix(" | None")
+                assert Entry.__annotations__[name] == scalars.get(kind, Entry.__annotations__[name]), (table, name)
 
 
 @pytest.mark.slow

@@ -21,6 +21,7 @@ ROOMS = {
 }
 #: fields of public answers and records, and public keywords, which stay, by file of `src/slowflow`
 PUBLIC = {
+    "answers/answer.py": {"share"},
     "answers/table.py": {"places", "rests", "stands"},
     "answers/physical_answers.py": {"rests", "stands"},
     "app/scenes.py": {"asked"},

@@ -13,13 +13,16 @@ import re
 from collections import namedtuple
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any, ClassVar, Self
+from typing import TYPE_CHECKING, Any, ClassVar, Self, overload
 
 import numpy as np
 import numpy.typing as npt
 
 from slowflow.core import validate
 from slowflow.support.text import Text, together
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
 
 __all__ = ["Answer", "Drawn", "Single", "Table"]
 
@@ -212,7 +215,7 @@ class Drawn(Answer):
         """Quantities that `plot` may draw, for `of`."""
         return ("A",)
 
-    def plot(self, ax: Any = None, *, of: str = "A") -> Any:
+    def plot(self, ax: Axes | None = None, *, of: str = "A") -> Axes:
         """Plot into Matplotlib axes, new ones by default, and return them.
 
         of -- quantity of a response curve: "A", "phi", "transmissibility" or "transmissibility_dB"; "B" under a load,
@@ -249,6 +252,82 @@ def entry_of(table: type, attribute: str, name: str, columns: Iterable[str]) -> 
 COLUMN = re.compile(r"Floats|Flags|Ints|(npt\.)?NDArray\[.*\]")
 
 
+class Entry(tuple[Any, ...]):
+    """An entry of a table, for type checkers: which of these numbers it has its table says, in SI units or without."""
+
+    Omega: float
+    Omega_low: float
+    Omega_high: float
+    Omega_e: float
+    A: float
+    A_1: float
+    B: float
+    F_0: float
+    u: float
+    u_rms: float
+    f: float
+    f_low: float
+    f_high: float
+    f_e: float
+    F: float
+    Y: float
+    a: float
+    U: float
+    x: float
+    x_max: float
+    x_rms: float
+    v_rms: float
+    a_rms: float
+    a_max: float
+    phi: float
+    transmissibility_dB: float
+    stiffness: float
+    damping: float
+    ratio_e: float
+    beyond: float
+    crossing_rate: float
+    dry: float
+    acceleration: float
+    duration: float
+    ratio: float
+    error: float
+    error_of_A: float
+    value: float
+    low: float
+    high: float
+    nominal: float
+    median: float
+    share: float
+    first: float
+    first_error: float
+    total: float
+    total_error: float
+    limit: float
+    margin: float
+    one: float
+    other: float
+    stable: bool
+    corner: bool
+    minimum: bool
+    settled: bool
+    found: bool
+    crosses: bool
+    detaches: bool
+    sticks: bool
+    met: bool
+    kind: str
+    reason: str
+    parameter: str
+    unit: str
+    answer: str
+    requirement: str
+    case: str
+    branch: int
+    stops: int
+    turns: int
+    motions: int
+
+
 class Table(Answer):
     """An answer with several entries: arrays of one length.
 
@@ -278,13 +357,17 @@ class Table(Answer):
     def __len__(self) -> int:
         return int(getattr(self, self._entry_of()._fields[0]).size)
 
+    @overload
+    def __getitem__(self, k: int) -> Entry: ...
+    @overload
+    def __getitem__(self, k: slice) -> list[Entry]: ...
     def __getitem__(self, k: int | slice) -> Any:
         if isinstance(k, slice):
             return list(self)[k]
         entry = self._entry_of()
         return entry(*(getattr(self, name)[operator.index(k)].item() for name in entry._fields))
 
-    def __iter__(self) -> Iterator[Any]:
+    def __iter__(self) -> Iterator[Entry]:
         entry = self._entry_of()
         columns = (getattr(self, name).tolist() for name in entry._fields)
         return (entry(*values) for values in zip(*columns, strict=True))

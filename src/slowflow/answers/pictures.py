@@ -17,6 +17,7 @@ import matplotlib as mpl
 import matplotlib.pyplot as plt
 import numpy as np
 import numpy.typing as npt
+from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 from matplotlib.ticker import LogLocator, StrMethodFormatter
@@ -119,7 +120,7 @@ ROUND = (1.0, 2.0, 5.0)
 LOCUS_SHOWN = 4.0
 
 
-def axes(ax: Any) -> Any:
+def axes(ax: Axes | None) -> Axes:
     """The axes that are given, or those of a new figure."""
     return plt.subplots(figsize=(6.4, 4.4), layout="constrained")[1] if ax is None else ax
 
@@ -248,7 +249,7 @@ def legend(ax: Any, title: str = "", *, place: str = "beside", more: Sequence[tu
         owner.legend(handles, labels, title=title or None, frameon=False, handlelength=2.6, **where)
 
 
-def responses(ax: Any, found: Sequence[tuple[Any, Any]], of: str = "A", *, names: Sequence[str] = ()) -> Any:
+def responses(ax: Axes | None, found: Sequence[tuple[Any, Any]], of: str = "A", *, names: Sequence[str] = ()) -> Axes:
     """Response curves, each with its folds: `of` over frequency; `of` is "A", "phi", "transmissibility_dB", ...
 
     found -- for each the curve and its folds or None: records of `results`, or the same in units
@@ -291,7 +292,7 @@ def window(ax: Any, low: float, high: float) -> None:
     ax.set_xlim(max(low, 0.01 * high) if ax.get_xscale() == "log" else low, high)
 
 
-def response(ax: Any, found: Any, of: str = "A") -> Any:
+def response(ax: Axes | None, found: Any, of: str = "A") -> Axes:
     """One curve, its forcing beside it."""
     ax = responses(ax, [(found, None)], of)
     if ax.get_xscale() == "log":
@@ -300,7 +301,7 @@ def response(ax: Any, found: Any, of: str = "A") -> Any:
     return ax
 
 
-def folds(ax: Any, found: Any) -> Any:
+def folds(ax: Axes | None, found: Any) -> Axes:
     """Folds at one forcing as points of the plane of frequency and A."""
     ax, over = axes(ax), _has(found, "Omega", "f")
     jumps(ax, getattr(found, over), found.A, found.kind, colour=COLOURS[0])
@@ -309,7 +310,7 @@ def folds(ax: Any, found: Any) -> Any:
     return ax
 
 
-def locus(ax: Any, found: Any) -> Any:
+def locus(ax: Axes | None, found: Any) -> Axes:
     """The forcing over frequency along a fold locus, up to `LOCUS_SHOWN` times the least one; there lie its tips.
 
     What lies beyond is drawn too, outside the limits of the axes.
@@ -328,7 +329,7 @@ def locus(ax: Any, found: Any) -> Any:
     return ax
 
 
-def motions(ax: Any, found: Any) -> Any:
+def motions(ax: Axes | None, found: Any) -> Axes:
     """The curve of the equation of motion with its folds; bars where the mass stops within the cycle."""
     ax, over, colour = axes(ax), _has(found, "Omega", "f"), COLOURS[1]
     x = getattr(found, over)
@@ -343,7 +344,7 @@ def motions(ax: Any, found: Any) -> Any:
     return ax
 
 
-def sweep(ax: Any, found: Any) -> Any:
+def sweep(ax: Axes | None, found: Any) -> Axes:
     """A stepped sweep: a dot at each frequency, an arrow from dot to dot where it jumps."""
     ax, over = axes(ax), _has(found, "Omega", "f")
     x = getattr(found, over)
@@ -356,7 +357,7 @@ def sweep(ax: Any, found: Any) -> Any:
     return ax
 
 
-def history(ax: Any, found: Any, place: str = "beside") -> Any:
+def history(ax: Axes | None, found: Any, place: str = "beside") -> Axes:
     """The motion in a shock over time; tinted where the springs have left, on either side."""
     ax = axes(ax)
     line = found.series(HISTORY) if hasattr(found, "series") else found
@@ -375,7 +376,7 @@ def history(ax: Any, found: Any, place: str = "beside") -> Any:
     return ax
 
 
-def shocks(ax: Any, found: Any, place: str = "beside") -> Any:
+def shocks(ax: Axes | None, found: Any, place: str = "beside") -> Axes:
     """Shock spectra: the share of a pulse's acceleration that the mass sees, over its duration, for each peak."""
     ax = axes(ax)
     values = np.unique(found.acceleration)
@@ -384,7 +385,7 @@ def shocks(ax: Any, found: Any, place: str = "beside") -> Any:
         here = here[np.argsort(found.duration[here])]
         ax.plot(found.duration[here], found.ratio[here], color=colour, linewidth=1.6, label=f"{value:.4g}")
         off = here[found.detaches[here]]
-        some = {"marker": DETACHES, "markersize": 3.5, "markevery": max(1, here.size // 20)}
+        some: dict[str, Any] = {"marker": DETACHES, "markersize": 3.5, "markevery": max(1, here.size // 20)}
         ax.plot(found.duration[off], found.ratio[off], linestyle="none", color=colour, **some)
     ax.set(xscale="log", xlabel=axis(found, "duration"), ylabel=axis(found, "ratio"))
     _round_ticks(ax)
@@ -393,7 +394,7 @@ def shocks(ax: Any, found: Any, place: str = "beside") -> Any:
     return ax
 
 
-def psd(ax: Any, found: Any, place: str = "beside") -> Any:
+def psd(ax: Axes | None, found: Any, place: str = "beside") -> Axes:
     """The spectral density of the displacement, a curve for each stationary motion; in SI units in mm^2/Hz over Hz."""
     ax = axes(ax)
     rms, scales = _has(found, "u_rms", "x_rms"), getattr(found, "scales", None)
@@ -413,7 +414,7 @@ def psd(ax: Any, found: Any, place: str = "beside") -> Any:
 
 
 #: what draws an answer, by its `picture`
-PICTURES: Mapping[str, Callable[[Any, Any], Any]] = {
+PICTURES: Mapping[str, Callable[[Any, Any], Axes]] = {
     "response": response,
     "folds": folds,
     "locus": locus,
@@ -425,7 +426,7 @@ PICTURES: Mapping[str, Callable[[Any, Any], Any]] = {
 }
 
 
-def depths(ax: Any, found: Mapping[str, Any]) -> Any:
+def depths(ax: Axes | None, found: Mapping[str, Any]) -> Axes:
     """One response by several depths, by their names; the last in the list lies on top.
 
     The largest displacement of each, which off the centre is more than averaging's A.
@@ -443,7 +444,7 @@ def depths(ax: Any, found: Mapping[str, Any]) -> Any:
     return ax
 
 
-def bands(ax: Any, found: Any) -> Any:
+def bands(ax: Axes | None, found: Any) -> Axes:
     """Bands of answers over their nominal values: a bar from low to high, a stroke at the median."""
     ax = axes(ax)
     rows = [row for row in found if np.isfinite([row.low, row.high, row.nominal]).all() and row.nominal > 0]
@@ -458,7 +459,7 @@ def bands(ax: Any, found: Any) -> Any:
     return ax
 
 
-def front(ax: Any, x: Values, y: Values, names: tuple[str, str]) -> Any:
+def front(ax: Axes | None, x: Values, y: Values, names: tuple[str, str]) -> Axes:
     """A trade-off: a point for each design, in order."""
     ax = axes(ax)
     ax.plot(x, y, color=COLOURS[0], linewidth=1.0, marker="o", markersize=5)
@@ -466,7 +467,7 @@ def front(ax: Any, x: Values, y: Values, names: tuple[str, str]) -> Any:
     return ax
 
 
-def residuals(ax: Any, x: Values, y: Values, deviation: float, names: tuple[str, str]) -> Any:
+def residuals(ax: Axes | None, x: Values, y: Values, deviation: float, names: tuple[str, str]) -> Axes:
     """What a fit leaves, over where it was measured; tinted within two standard deviations."""
     ax = axes(ax)
     ax.axhspan(-2 * deviation, 2 * deviation, color=DETACHED, zorder=-3, linewidth=0)
@@ -476,7 +477,7 @@ def residuals(ax: Any, x: Values, y: Values, deviation: float, names: tuple[str,
     return ax
 
 
-def loop(ax: Any, x: Values, F: Values, fitted: Values, names: tuple[str, str]) -> Any:
+def loop(ax: Axes | None, x: Values, F: Values, fitted: Values, names: tuple[str, str]) -> Axes:
     """A measured force-displacement loop and what was fitted to it."""
     ax = axes(ax)
     ax.plot(x, F, linestyle="none", marker=".", markersize=2, color="0.6", label="measured")
@@ -486,7 +487,7 @@ def loop(ax: Any, x: Values, F: Values, fitted: Values, names: tuple[str, str]) 
     return ax
 
 
-def design_map(ax: Any, x: tuple[str, Values], y: tuple[str, Values], values: tuple[str, Values]) -> Any:
+def design_map(ax: Axes | None, x: tuple[str, Values], y: tuple[str, Values], values: tuple[str, Values]) -> Axes:
     """A number of each design over two of its parameters: each a name and values; grey where there is no answer.
 
     x of shape (n,), y of shape (m,), values of shape (m, n).

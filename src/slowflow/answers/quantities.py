@@ -15,11 +15,11 @@ import operator
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from types import MappingProxyType, SimpleNamespace
-from typing import TYPE_CHECKING, Any, Self
+from typing import TYPE_CHECKING, Any, Self, overload
 
 import numpy as np
 
-from slowflow.answers.answer import PLAIN, Answer, Table, drawn, plain, shown
+from slowflow.answers.answer import PLAIN, Answer, Entry, Table, drawn, plain, shown
 from slowflow.answers.table import QUANTITIES
 from slowflow.core import validate
 from slowflow.core.mechanism import Floats
@@ -31,6 +31,8 @@ from slowflow_kernels.rod_spring import MECHANISM as ROD_SPRING
 from slowflow_kernels.scaling import AMPLITUDES, SCALES
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
     from slowflow.answers.gradient import Gradient
 
 #: standard gravity, m/s^2
@@ -187,12 +189,16 @@ class Quantities(Answer):
     def __len__(self) -> int:
         return len(self.values[self._entries()[0]])
 
+    @overload
+    def __getitem__(self, k: int) -> Entry: ...
+    @overload
+    def __getitem__(self, k: slice) -> list[Entry]: ...
     def __getitem__(self, k: int | slice) -> Any:
         if isinstance(k, slice):
             return list(self)[k]
         return SimpleNamespace(**{name: self.values[name][operator.index(k)].item() for name in self._entries()})
 
-    def __iter__(self) -> Iterator[SimpleNamespace]:
+    def __iter__(self) -> Iterator[Entry]:
         return (self[k] for k in range(len(self)))
 
     def _entries(self) -> tuple[str, ...]:
@@ -309,7 +315,7 @@ class Quantities(Answer):
     def _figure(self) -> str:
         return drawn(self, picture) if (picture := getattr(self.answer, "picture", "")) else ""
 
-    def plot(self, ax: Any = None, *, of: str | None = None) -> Any:
+    def plot(self, ax: Axes | None = None, *, of: str | None = None) -> Axes:
         """Plot a curve, folds, a fold locus or a shock, in mm, Hz, N; return the Matplotlib axes, new ones by default.
 
         of -- quantity of a response curve: "A", "phi" or "transmissibility_dB"
@@ -317,7 +323,7 @@ class Quantities(Answer):
         For other units call `in_units` first. Raises ValueError if this answer has no plot, ImportError without
         Matplotlib.
         """
-        picture = getattr(self.answer, "picture", None)
+        picture: str | None = getattr(self.answer, "picture", None)
         if picture is None:
             raise Refused(f"there is no plot of this answer: it has {', '.join(self.values)}")
         from slowflow.answers import pictures

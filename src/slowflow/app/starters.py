@@ -71,7 +71,7 @@ def of_loop(path: Path, m: Any) -> str:
             raise Refused(f"{columns.head}: {name} in {unit} is not allowed: {name} must have a unit of {units[name]}")
     try:
         loop = from_loop(**columns)
-        known = {one.parameter: one.value for one in loop if not one.low <= 0 <= one.high}
+        known: dict[str, Any] = {one.parameter: one.value for one in loop if not one.low <= 0 <= one.high}
         mount = Duffing.physical(m=m, **{"k_1": 0.0, **known})
     except (ValueError, ArithmeticError) as error:
         raise Refused(f"{path}: {error}") from None

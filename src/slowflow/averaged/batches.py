@@ -29,6 +29,9 @@ from slowflow_kernels import slow_flow
 from slowflow_kernels.conventions import FoldKind, OnsetKind, Status
 from slowflow_kernels.domains import DAMPING, DISSIPATION
 
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
 if TYPE_CHECKING:  # which columns an answer has, its row tells; four of them some answers compute
     OfDesigns = Columns
 else:
@@ -107,7 +110,7 @@ class Batch(Answer, OfDesigns):
         """Which columns have an additional axis after those of the designs, and its name."""
         return {name: axis for name, axis in self.question.columns[self.system].items() if axis}
 
-    def plot_map(self, x: str, y: str, of: str, ax: Any = None) -> Any:
+    def plot_map(self, x: str, y: str, of: str, ax: Axes | None = None) -> Axes:
         """Plot a number of each design over two parameters; return the Matplotlib axes, new ones by default.
 
         x, y -- names of parameters, "F_0", or for states "Omega": each varies along one axis of the batch, and nothing

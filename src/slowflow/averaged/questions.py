@@ -37,6 +37,8 @@ from slowflow.support.errors import OutOfRange, Refused
 from slowflow_kernels import dissipation
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
     from slowflow.answers.certificate import Certificate, ProvedFolds
     from slowflow.core.mechanism import Reals
 
@@ -436,7 +438,9 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
         Omega, A = validate.positive_array("Omega", Omega), validate.positive_array("A", A)
         return _in_range("the left side of (30)", self.model.stability(Omega, A))
 
-    def plot(self, F_0: Any, *, Omega: tuple[float, float] = validate.WINDOW, of: str = "A", ax: Any = None) -> Any:
+    def plot(
+        self, F_0: Any, *, Omega: tuple[float, float] = validate.WINDOW, of: str = "A", ax: Axes | None = None
+    ) -> Axes:
         """Draw the response at one forcing, or at each of several, into Matplotlib axes.
 
         Stable states are solid, unstable ones dashed; folds are triangles that point in the direction of the jump. For

@@ -29,9 +29,12 @@ from slowflow.support.text import in_units
 if TYPE_CHECKING:
     from typing import Unpack
 
+    from matplotlib.axes import Axes
+
     from slowflow.answers import physical_answers as answers
     from slowflow.answers.physical_answers import Amplitude, Number, Numbers, Window
     from slowflow.averaged.plan import Plan
+    from slowflow.oscillators.oscillator import Oscillator
     from slowflow.oscillators.physical_designs import PhysicalDesigns
 
 #: meaning of A for a motion with a mean displacement
@@ -53,7 +56,7 @@ class Physical(TakesAmplitude):
     Answers use the same letter: Y_SN or a_cr instead of F_SN and F_cr. Under base excitation each question accepts a as
     well as Y: relative to the base, the mass moves as under a force m a at every frequency.
 
-    oscillator -- the dimensionless oscillator
+    oscillator -- the dimensionless oscillator, of `second_approximation` its own
     scales     -- the mass, stiffness and length that make its numbers dimensionless (4)
     given      -- the arguments that it was made from, for `replace`
 
@@ -61,7 +64,7 @@ class Physical(TakesAmplitude):
     corresponds to that of the dimensionless `Oscillator` of the same name; diagnostics and errors are in SI units.
     """
 
-    oscillator: Any
+    oscillator: Oscillator
     scales: Scales
     given: Mapping[str, Any] = dataclasses.field(compare=False)
 
@@ -520,9 +523,9 @@ class Physical(TakesAmplitude):
         *,
         f: Window | None = None,
         of: str = "A",
-        ax: Any = None,
+        ax: Axes | None = None,
         **at: Unpack[Amplitude[Numbers]],
-    ) -> Any:
+    ) -> Axes:
         """Plot the response at one amplitude, or at each of several; return the Matplotlib axes, new ones by default.
 
         f  -- window of frequencies in Hz, by default from 0 to twice f_n
@@ -577,7 +580,8 @@ class Physical(TakesAmplitude):
     def second_approximation(self) -> Physical:
         """The second approximation of the same questions, with the higher harmonics of force and friction."""
         with self.scales.in_these_terms():
-            return Physical(self.oscillator.second_approximation, self.scales, self.given)
+            second: Any = self.oscillator.second_approximation
+        return Physical(second, self.scales, self.given)
 
     # ---- arguments
 
@@ -585,7 +589,7 @@ class Physical(TakesAmplitude):
     def _by_other_base(self) -> Physical:
         """The same mount under its base's acceleration in place of its displacement, or the other way round."""
         scales, of = dataclasses.replace(self.scales, excitation=self._other_base), self.oscillator
-        oscillator = getattr(of, "first", of).replace(excitation=scales.of_oscillator)
+        oscillator: Any = getattr(of, "first", of).replace(excitation=scales.of_oscillator)
         oscillator = oscillator.second_approximation if hasattr(of, "first") else oscillator
         return Physical(oscillator, scales, {**self.given, "excitation": self._other_base})
 

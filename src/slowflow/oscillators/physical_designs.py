@@ -31,6 +31,8 @@ from slowflow.support.immutable import Unchanging
 if TYPE_CHECKING:
     from typing import Protocol, Unpack
 
+    from matplotlib.axes import Axes
+
     from slowflow.answers.physical_answers import Amplitude, Number, Numbers, Window
     from slowflow.oscillators.measurements import Columns
 
@@ -161,7 +163,7 @@ class ManyQuantities(Quantities, Many):
         scales = self.scales.by_entry if found.status.ndim > np.ndim(self.status) else self.scales
         return scales.gradient(found)
 
-    def plot_map(self, x: str, y: str, of: str, ax: Any = None) -> Any:
+    def plot_map(self, x: str, y: str, of: str, ax: Axes | None = None) -> Axes:
         """Plot a number of each mount over two of the data, in SI units; see `Batch.plot_map`."""
         from slowflow.answers import pictures
 

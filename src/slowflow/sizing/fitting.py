@@ -10,7 +10,7 @@ import contextlib
 import warnings
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any, Unpack
+from typing import TYPE_CHECKING, Any, Unpack
 
 import numpy as np
 import numpy.typing as npt
@@ -31,6 +31,9 @@ from slowflow.oscillators.range_checks import Implausible
 from slowflow.random_vibration.record import accelerations
 from slowflow.sizing.subject import Measured, Subject, first_jump
 from slowflow.support.errors import NotSettled, Refused
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
 
 __all__ = ["Fit", "Numbers", "fit"]
 
@@ -115,7 +118,7 @@ class Fit(Numbers):
     correlation: Floats
     message: str
 
-    def plot(self, ax: Any = None) -> Any:
+    def plot(self, ax: Axes | None = None) -> Axes:
         """Plot the residuals, for a mount in mm, N, Hz; return the Matplotlib axes, new ones by default.
 
         The band of two standard deviations is shaded.

@@ -8,7 +8,7 @@ which the motion reverses.
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -19,6 +19,9 @@ from slowflow.oscillators.isolator import Duffing
 from slowflow.oscillators.physical import Physical
 from slowflow.sizing.fitting import CONFIDENCE, TURNS, Numbers, _velocity
 from slowflow.support.errors import NotSettled, Refused
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
 
 __all__ = ["Loop", "from_loop"]
 
@@ -68,7 +71,7 @@ class Loop(Numbers):
         found = dict(zip(self.parameter.tolist(), self.value.tolist(), strict=True))
         return Duffing.physical(m=m, **{**found, **more})
 
-    def plot(self, ax: Any = None) -> Any:
+    def plot(self, ax: Axes | None = None) -> Axes:
         """Plot the loop and the fit, in N and mm.
 
         Parameters

@@ -11,7 +11,7 @@ import warnings
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import partial
-from typing import Any, Unpack
+from typing import TYPE_CHECKING, Any, Unpack
 
 import numpy as np
 import scipy  # its `stats`, half a second, when it is used
@@ -25,6 +25,9 @@ from slowflow.oscillators.physical import Physical
 from slowflow.sizing.subject import LoadCase, Subject
 from slowflow.support import progress
 from slowflow.support.errors import Refused
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
 
 __all__ = ["Front", "Met", "front", "meet"]
 
@@ -125,7 +128,7 @@ class Front(Table, entry="Compromise"):
         known = {**dict(zip(self.answers, self.units, strict=True)), **_sheet(self._of, self.numbers)}
         return {name: unit for name, unit in known.items() if unit}
 
-    def plot(self, ax: Any = None) -> Any:
+    def plot(self, ax: Axes | None = None) -> Axes:
         """Plot one answer over the other; return the Matplotlib axes, new ones by default."""
         from slowflow.answers import pictures
 
