@@ -290,48 +290,41 @@ def check_onset(one: Any, sure: Case, family: Family) -> None:
             assert gradient.condition(name) == pytest.approx(known, rel=ROUNDED)
 
 
-def test_certified_cases_have_folds_on_both_sides_of_an_edge():
-    each = Counter(case["force"] for case in cases("stated"))
-    stops = {"soft_stop": 10, "hard_stop": 7, "root_stop": 13}
-    preloaded = dict.fromkeys(("preload", "preload_power", "preloaded_stop"), 10)
-    assert each == {**dict.fromkeys(STATED, 3), "magnets": 12, "contact": 30, **preloaded, **stops}
-    assert sum(len(case["folds"]) for case in cases("stated")) > 40
-    assert sum(case["onset"] is not None for case in cases("stated")) >= 15
-    assert Counter(case["force"] for case in cases("closed")) == dict.fromkeys(CLOSED, 30)
-    assert all(len(case["folds"]) >= 2 for case in cases("closed"))
-    assert Counter(case["force"] for case in cases("sided")) == dict.fromkeys(("stop", "springs", "even"), 12)
-    assert sum(len(case["folds"]) for case in cases("sided")) == 58
-    assert sum(case["onset"] is not None for case in cases("sided")) == 31
-    assert {case["force"] for case in cases("curved")} == {"exponential", "hyperbolic"} and len(cases("curved")) >= 30
-    assert sum(case["onset"] is not None for case in cases("curved")) >= 25
+#: of each file: folds and onsets that its cases have at least, and how many there are of each force or law
+HELD_BY_FILES = {
+    "stated": (41, 15, {**dict.fromkeys(STATED, 3), "magnets": 12, "contact": 30, "preload": 10, "preload_power": 10,
+                        "preloaded_stop": 10, "soft_stop": 10, "hard_stop": 7, "root_stop": 13}),
+    "closed": (300, 0, dict.fromkeys(CLOSED, 30)),
+    "sided": (58, 31, dict.fromkeys(("stop", "springs", "even"), 12)),
+    "curved": (1, 25, {"exponential": 17, "hyperbolic": 13}),
+    "off_centre_laws": (56, 0, {"stop": 22, "springs": 14, "even": 6}),
+    **{f"damped_{law}": (51, 0, {"": 40 if law == "base" else 30}) for law in ("eta", "c_2", "contact", "base")},
+}  # fmt: skip
 
 
-def test_certified_cases_of_each_law_have_folds_on_both_sides():
-    for law in ("eta", "c_2", "contact", "base"):
-        of_it = cases(f"damped_{law}")
-        assert len(of_it) == (40 if law == "base" else 30) and sum(len(case["folds"]) for case in of_it) > 50
-        assert any(fold["corner"] for case in of_it for fold in case["folds"])
-        assert law == "base" or {bool(case["parameters"]["zeta"][1]) for case in of_it} == {True, law == "contact"}
-    laws = {
-        (*(bool(case["parameters"][name][1]) for name in ("zeta", "eta", "c_2")), case["contact"])
-        for case in cases("damped_base")
-    }
-    assert {(True, True, True, "throughout"), (False, True, False, "throughout")} < laws
-    assert (True, False, False, "attached") in laws
+@pytest.mark.parametrize("name", HELD_BY_FILES)
+def test_certified_cases_have_folds_of_each_force(name):
+    folds, onsets, each = HELD_BY_FILES[name]
+    assert Counter(case.get("force", "") for case in cases(name)) == each
+    assert sum(len(case["folds"]) for case in cases(name)) >= folds
+    assert sum(case.get("onset") is not None for case in cases(name)) >= onsets
+    assert name != "closed" or all(len(case["folds"]) >= 2 for case in cases(name))
+    assert "damped" not in name or any(fold["corner"] for case in cases(name) for fold in case["folds"])
 
 
-def test_there_are_certified_cases_of_each_excitation_with_folds():
-    of_it = cases("off_centre_laws")
-    by_law = Counter(
-        (case["excitation"], *(float(case["parameters"][law][1]) > 0 for law in ("eta", "c_2"))) for case in of_it
-    )
-    assert by_law == {
-        ("base", False, False): 15,
-        ("base", True, False): 3,
-        ("base", False, True): 3,
-        ("base", True, True): 4,
-        ("force", True, False): 7,
-        ("force", False, True): 7,
-        ("force", True, True): 3,
-    }
-    assert sum(len(case["folds"]) for case in of_it) == 56
+def laws_of(case):
+    """What excites it, where friction acts, whether zeta, eta and c_2 are there."""
+    has = (bool(numbers(case)[law]) for law in ("zeta", "eta", "c_2"))
+    return case.get("excitation"), case.get("contact"), *has
+
+
+def test_certified_cases_have_each_law_with_and_without_others():
+    files = ("damped_eta", "damped_c_2", "damped_contact", "damped_base", "off_centre_laws")
+    laws = {name: {laws_of(case) for case in cases(name)} for name in files}
+    for name in ("eta", "c_2", "contact"):
+        assert {zeta for _, _, zeta, *_ in laws[f"damped_{name}"]} == {True, name == "contact"}
+    combined = {(True, True, True, "throughout"), (False, True, False, "throughout"), (True, False, False, "attached")}
+    assert combined < {(*others, contact) for _, contact, *others in laws["damped_base"]}
+    both = [(eta, c_2) for eta in (False, True) for c_2 in (False, True)]
+    expected = {("base", *one) for one in both} | {("force", *one) for one in both[1:]}
+    assert {(excitation, *others) for excitation, _, _, *others in laws["off_centre_laws"]} == expected

@@ -130,14 +130,6 @@ def test_the_force_must_be_known():
         Isolator.many(lam=3, r=2.0, delta_h=0.1, force="")
 
 
-def test_many_takes_the_force():
-    values = {"lam": 3, "r": 2.0, "delta_h": np.array([0.05, 0.08]), "mu": 0.01, "zeta": 0.02}
-    together = Isolator.many(**values, force="untruncated").detachment()
-    singles = [Isolator(**{**values, "delta_h": d}, force="untruncated").detachment().F_cr for d in (0.05, 0.08)]
-    np.testing.assert_allclose(together.F_cr, singles, rtol=1e-14)
-    assert (together.F_cr != Isolator.many(**values).detachment().F_cr).all()
-
-
 #: where 1 - u_cr, which is (1 - delta_h)^2/2, is next to nothing
 STEEP = (0.98, 0.99, 1 - 1e-4, 1 - 1e-6, 1 - 1e-9, 1 - 2.0**-52)
 #: of these, the fast tests have one next to the length of the rod

@@ -1,4 +1,4 @@
-"""The exact motion against brute force, against closed forms, and the compiled integrator against SciPy's."""
+"""The exact motion against SciPy from switch to switch, closed forms, and the compiled integrator against SciPy's."""
 
 import collections
 import itertools
@@ -27,7 +27,7 @@ from slowflow.exact import (
 from slowflow.exact.motion import Forced, follow, sample
 from slowflow.example import TABLE_1
 from slowflow_kernels import den_hartog
-from tests.oracles import by_time, exact_brute, exact_linear, exact_reference
+from tests.oracles import by_time, exact_linear, exact_reference
 from tests.oracles.exact_cases import isolator, random_cases, random_motions, table_1
 from tests.sampling import part
 
@@ -47,21 +47,14 @@ def test_random_isolators_cover_what_they_should(states):
 
 
 @pytest.mark.slow
-def test_random_isolators_against_brute_force(states):
-    """A turn by small fixed steps from a point of the steady state follows it and comes back to it."""
+def test_random_isolators_come_back_after_their_period(states):
+    """From a point in motion, by SciPy from switch to switch of the force as typed."""
     for case, state in zip(CASES, states, strict=True):
+        tau, u, v = (column[int(np.argmax(np.abs(state.series(64)[2])))] for column in state.series(64))
         turns = round(state.period * case.Omega / (2 * math.pi))
-        samples = 16 * turns
-        fine = 16 * math.ceil(2 * math.pi / case.Omega / 0.004 / 16)
-        tau, u, v = state.series(samples)
-        # from a point in motion, so that the start is no switch
-        first = int(np.argmax(np.abs(v)))
-        start = (tau[first], u[first], v[first])
-        friction, damping = case.system.mu, case.system.zeta
-        found, stops = exact_brute.follow(case.by_hand, friction, damping, case.Omega, case.F_0, *start, turns, fine)
-        every = np.array(found)[fine // 16 - 1 :: fine // 16]
-        expected = np.column_stack((np.roll(u, -first - 1), np.roll(v, -first - 1)))
-        assert np.max(np.abs(every - expected)) <= 1e-8, case
+        damping = case.system.mu, case.system.zeta
+        end, A, stops = by_time.turns_of(case.by_hand, damping, case.Omega, case.F_0, (tau, u, v), turns)
+        assert np.max(np.abs(np.subtract(end, (u, v)))) <= 1e-8 and abs(A - state.A) <= 1e-8, case
         assert stops == state.stops, case
 
 
@@ -97,16 +90,15 @@ def test_residual_of_random_isolators(states):
 
 @pytest.mark.slow
 def test_integrators_agree_phase_by_phase():
-    """The same phases, from rest over three turns, by SciPy, and the same end by brute force."""
+    """The same phases, from rest over three turns, by SciPy, and the same end of the force as typed."""
     forced, way = Forced(table_1(exact=False), 0.6, 0.2), (0.0, 0.0, 0.0, 6 * math.pi)
     run, other = follow(forced, *way), exact_reference.follow(forced, exact_reference.ScipyIntegrator(), *way)
     assert [(p.slip, p.region, p.event) for p in run] == [(p.slip, p.region, p.event) for p in other]
     for a, b in zip(run, other, strict=True):
         assert max(abs(a.end - b.end), abs(a.u_end - b.u_end), abs(a.v_end - b.v_end)) <= 1e-9
-    by_hand = isolator(**TABLE_1, exact=False)[1]
-    found, _ = exact_brute.follow(by_hand, TABLE_1["mu"], TABLE_1["zeta"], 0.6, 0.2, 0.0, 0.0, 0.0, 3, 3000)
-    assert abs(found[-1][0] - run[-1].u_end) <= 1e-8
-    assert abs(found[-1][1] - run[-1].v_end) <= 1e-8
+    by_hand, damping = isolator(**TABLE_1, exact=False)[1], (TABLE_1["mu"], TABLE_1["zeta"])
+    end, *_ = by_time.turns_of(by_hand, damping, 0.6, 0.2, (0.0, 0.0, 0.0), 3)
+    assert np.max(np.abs(np.subtract(end, (run[-1].u_end, run[-1].v_end)))) <= 1e-8
 
 
 def test_viscous_linear_oscillator_in_closed_form():

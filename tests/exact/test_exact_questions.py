@@ -15,7 +15,7 @@ from slowflow.exact.motion import limited
 from slowflow.example import isolator
 from slowflow.support.errors import NotSettled
 from slowflow_kernels import duffing as duffing_kernels
-from tests.oracles import by_time, exact_brute
+from tests.oracles import by_time
 from tests.sampling import slow
 
 
@@ -231,7 +231,7 @@ def test_motions_beside_a_fold_are_those_scipy_finds():
 def test_drift_near_sticking_ends_where_integration_stays(ratio):
     """No stiffness at u = 0 and friction near the forcing: from rest the motion drifts for 10^5 turns and more.
 
-    It is found nevertheless, small fixed steps come back to it, and a sweep says the same amplitude.
+    It is found nevertheless, SciPy comes back to it, and a sweep says the same amplitude.
     """
     mu, zeta, Omega, F_0 = 0.1 * ratio, 0.05, 0.9, 0.1
     oscillator = Duffing(0.0, 1.0, mu, zeta)
@@ -240,9 +240,9 @@ def test_drift_near_sticking_ends_where_integration_stays(ratio):
     tau, u, v = found.series(64)
     at = int(np.argmax(np.abs(v)))
     force = ((lambda x: x**3,), ())
-    states, stops = exact_brute.follow(force, mu, zeta, Omega, F_0, tau[at], u[at], v[at], 1, 4000)
+    end, _, stops = by_time.turns_of(force, (mu, zeta), Omega, F_0, (tau[at], u[at], v[at]), 1)
     assert stops == 2
-    assert np.max(np.abs(np.subtract(states[-1], (u[at], v[at])))) <= 1e-9 * found.A
+    assert np.max(np.abs(np.subtract(end, (u[at], v[at])))) <= 1e-9 * found.A
     swept = oscillator.sweep(Omega=[0.8, 0.9, 1.0, 0.9], F_0=F_0)
     assert swept.settled.all()
     assert swept.A[[1, 3]] == pytest.approx(found.A, rel=1e-9)
@@ -301,13 +301,14 @@ def test_no_trial_runs_off_to_zero_frequency():
     F_0, window = 0.06964032577753064, (0.1, 1.1)
     curve = oscillator.exact_response(F_0, Omega=window, force="truncated")
     assert curve.complete and curve.Omega[[0, -1]] == pytest.approx(window, rel=1e-12)
-    force = exact_brute.truncated(oscillator.alpha, oscillator.beta, oscillator.gamma, oscillator.u_cr)
+    inner = lambda u: u * (oscillator.alpha + u**2 * (oscillator.beta + u**2 * oscillator.gamma))  # noqa: E731
+    force = (inner, lambda u: u), (oscillator.u_cr,)
     stable = np.flatnonzero(curve.stable)
     for Omega in (0.45, 0.8, 1.05):
         found = curve.steady_state(int(stable[np.argmin(np.abs(curve.Omega[stable] - Omega))]))
         tau, u, v = found.series(64)
-        states, _ = exact_brute.follow(force, 0.0, 0.1, found.Omega, F_0, tau[5], u[5], v[5], 1, 4000)
-        assert np.max(np.abs(np.subtract(states[-1], (u[5], v[5])))) <= 1e-9
+        end, *_ = by_time.turns_of(force, (0.0, 0.1), found.Omega, F_0, (tau[5], u[5], v[5]), 1)
+        assert np.max(np.abs(np.subtract(end, (u[5], v[5])))) <= 1e-9
     # what is given up in between is given as far as it was reached
     with limited(200_000):
         part = oscillator.exact_response(F_0, Omega=window, force="truncated")

@@ -8,7 +8,7 @@ counts                    proved numbers of states and folds at any forcing
 definitions               what kernels are to give, by routes other than the derivation
 kernels                   exact values of any generated kernel at any doubles
 frequencies               certified roots in Omega at one amplitude, and seeded stress cases for them
-exact_brute, exact_linear, exact_scipy, exact_cases    the equation of motion by other means, and oscillators to try
+exact_linear, exact_scipy, exact_cases    the equation of motion by other means, and oscillators to try
 pieces, forces            forces of any kind, each stated once, and their averages to 40 digits
 inertia                   certified answers on a base that shakes
 second, stated            the second approximation, and mechanisms as their files state them

@@ -6,7 +6,9 @@ switching with the package.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
+from functools import partial
+from types import SimpleNamespace
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -69,21 +71,29 @@ class Stretch(NamedTuple):
 
 
 def stretches(
-    osc: Any, pull: Pull, push: Pull, span: tuple[float, float], state: Any, preload: float = 0.0, **options: Any
+    osc: Any,
+    pull: Pull | Sequence[Pull],
+    push: Pull,
+    span: tuple[float, float],
+    state: Any,
+    preload: float = 0.0,
+    **options: Any,
 ) -> Iterator[Stretch]:
     """u'' + damping + pull(u) = push(tau), all laws but structural damping, from switch to switch.
 
     These are breakpoints, at the first of which friction may end, turns, rests up to the break-loose force, and with a
-    preload, which is added to the pull times the sign of u, the centre.
+    preload, which is added to the pull times the sign of u, the centre. A pull that jumps is one for each piece.
     """
+    springs = [pull] * (1 + len(osc.breakpoints)) if callable(pull) else pull
     (t, end), (u, v), edges = span, map(float, state), osc.breakpoints
     beyond = [abs(u) > edge for edge in edges]
     side = np.sign(u) or np.sign(v) or np.sign(push(t))
     slip = np.sign(v)
     while t < end:
+        spring = springs[sum(beyond)]
 
-        def free(tau: Any, u: float = u, side: float = side) -> Any:
-            return push(tau) - pull(u) - side * preload
+        def free(tau: Any, u: float = u, side: float = side, spring: Pull = spring) -> Any:
+            return push(tau) - spring(u) - side * preload
 
         slides = osc.contact == "throughout" or not (beyond and beyond[0])
         if v == 0:
@@ -99,10 +109,12 @@ def stretches(
                     return
             slip = np.sign(free(t))
 
-        def field(tau: float, y: Any, slip: float = slip, mu: float = osc.mu * slides, side: float = side) -> Any:
+        own = {"slip": slip, "mu": osc.mu * slides, "side": side, "spring": spring}
+
+        def field(tau: float, y: Any, slip: float, mu: float, side: float, spring: Pull) -> Any:
             viscous = 2 * (osc.zeta + osc.zeta_2 * y[0] ** 2) + osc.c_3 * y[1] ** 2
             resists = viscous * y[1] + slip * (osc.c_2 * y[1] ** 2 + mu)
-            return [y[1], push(tau) - pull(y[0]) - side * preload - resists]
+            return [y[1], push(tau) - spring(y[0]) - side * preload - resists]
 
         # at a start on a switch the value is a rounding: only the way back across it counts
         events = [lambda tau, y: y[1], lambda tau, y: y[0] if preload else 1.0]
@@ -110,7 +122,7 @@ def stretches(
         for event, way in zip(events, (-slip, -side, *(-1 if one else 1 for one in beyond)), strict=True):
             event.terminal, event.direction = True, way  # type: ignore[attr-defined]
         precise = {"method": "DOP853", "rtol": 1e-9, "atol": 1e-12, **options}
-        found = solve_ivp(field, (t, end), [u, v or slip * 1e-15], events=events, **precise)
+        found = solve_ivp(partial(field, **own), (t, end), [u, v or slip * 1e-15], events=events, **precise)
         yield Stretch(found.t, *found.y, slip)
         t, (u, v) = float(found.t[-1]), map(float, found.y[:, -1])
         turned, centred, *passed = (times.size > 0 for times in found.t_events)
@@ -120,6 +132,19 @@ def stretches(
             side = -side
             u = side * 1e-15
         beyond = [one != other for one, other in zip(beyond, passed, strict=True)]
+
+
+def turns_of(by_hand: Any, mu_zeta: Any, Omega: float, F_0: float, start: Any, turns: int, **options: Any) -> Any:
+    """(u, u') some turns after (tau, u, u'), the largest |u|, and how many rests; pieces and their ends by hand."""
+    (pieces, ends), (tau, *state), (mu, zeta) = by_hand, start, mu_zeta
+    osc = SimpleNamespace(
+        breakpoints=ends, contact="throughout", mu=mu, mu_s=mu, zeta=zeta, zeta_2=0.0, c_2=0.0, c_3=0.0
+    )
+    span, push = (tau, tau + turns * 2 * np.pi / Omega), lambda at: F_0 * np.cos(Omega * at)
+    precise = {"rtol": 1e-12, "atol": 1e-14, **options}
+    ways = list(stretches(osc, pieces, push, span, state, **precise))
+    farthest = max(float(np.abs(one.u).max()) for one in ways)
+    return (ways[-1].u[-1], ways[-1].v[-1]), farthest, sum(one.slip == 0 for one in ways)
 
 
 def largest(pull: Pull, osc: Any, Omega: float, F_0: float, turns: int, preload: float = 0.0) -> float:

@@ -74,10 +74,10 @@ def assert_complete(osc: Any, F_0: float, frequencies: Sequence[float] = FREQUEN
     ends = np.sort(folds.Omega)
     ends = np.concatenate((0.9 * ends[:1], ends, 1.1 * ends[-1:]))
     between = 0.5 * (ends[1:] + ends[:-1])
-    every = np.concatenate((between, frequencies))
+    every = np.unique(np.concatenate((between, frequencies)))
     states = osc.amplitudes(Omega=every, F_0=F_0)
     assert not states.Omega_undecided.size, osc
-    grid, counts = GRID[GRID <= reach], []
+    grid, counts = GRID[GRID <= reach], {}
     h = on_grid(osc)[: grid.size]
     for Omega in every.tolist():
         here = (states.Omega == Omega) & (states.A > 0)  # beside a mass that is held at rest
@@ -89,8 +89,8 @@ def assert_complete(osc: Any, F_0: float, frequencies: Sequence[float] = FREQUEN
         np.testing.assert_allclose(states.A[here], A[passed].astype(float), rtol=2e-3, err_msg=f"{osc} {F_0} {Omega}")
         rises, stable = F[passed + 1] > 0, states.stable[here]
         assert np.array_equal(stable, rises) or (LEAVE & states.remarks and (rises | ~stable).all()), (osc, F_0, Omega)
-        counts.append(passed.size)
-    assert (np.abs(np.diff(counts[: between.size])) == 2).all(), (osc, F_0, counts)
+        counts[Omega] = passed.size
+    assert all(abs(counts[one] - counts[other]) == 2 for one, other in pairwise(between.tolist())), (osc, F_0, counts)
     for found in (states, folds):
         A, Omega = found.A[found.A > 0], found.Omega[found.A > 0]
         (R, I), force = balances(osc, Omega, A), force_of(osc, Omega, F_0)

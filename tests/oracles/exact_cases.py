@@ -8,7 +8,6 @@ import numpy as np
 from slowflow import Duffing, Isolator
 from slowflow.exact import EquationOfMotion
 from slowflow.example import TABLE_1
-from tests.oracles import exact_brute
 
 
 @dataclass(frozen=True)
@@ -22,15 +21,21 @@ class Case:
 
 
 def isolator(lam, r, delta_h, mu, zeta, exact):
-    """EquationOfMotion and its force by hand."""
+    """EquationOfMotion and its force by hand, (5) or (6) and u beyond u_cr: pieces, and where they end."""
+    u_cr = math.sqrt(1 - (1 - delta_h) ** 2)
     iso = Isolator(lam=lam, r=r, delta_h=delta_h, mu=mu, zeta=zeta)
     if exact:
-        return iso.equation_of_motion("untruncated"), exact_brute.untruncated(lam, r, delta_h)
+
+        def attached(u):
+            root = math.sqrt(1 - u * u)
+            return u + lam * r * (1 - delta_h - root) * u / root
+
+        return iso.equation_of_motion("untruncated"), ((attached, lambda u: u), (u_cr,))
     # equation (7)
     alpha = 1 - lam * r * delta_h
     beta, gamma = lam / 2 * r * (1 - delta_h), 3 / 8 * lam * r * (1 - delta_h)
-    u_cr = math.sqrt(1 - (1 - delta_h) ** 2)
-    return iso.equation_of_motion(), exact_brute.truncated(alpha, beta, gamma, u_cr)
+    inner = lambda u: alpha * u + beta * u**3 + gamma * u**5  # noqa: E731
+    return iso.equation_of_motion(), ((inner, lambda u: u), (u_cr,))
 
 
 def table_1(exact):
