@@ -5,6 +5,9 @@ from __future__ import annotations
 import importlib
 import sys
 from types import ModuleType
+from typing import Any
+
+import numpy as np
 
 #: what depends on the backend
 RELOADED = ("slowflow_kernels", "slowflow.support.backend")
@@ -27,3 +30,8 @@ def load(how: str) -> dict[str, ModuleType]:
     finally:
         _forget()
         sys.modules.update(before)
+
+
+def as_rows(found: Any) -> list[np.ndarray]:
+    """What a kernel returns, an array for each of its outputs."""
+    return [np.asarray(one, dtype=float) for one in (found if isinstance(found, tuple | list) else [found])]

@@ -47,42 +47,18 @@ static PyObject *ufuncs_of(const sf_module *module)
         return ufuncs_of(&sf_module_##module); \
     }
 
-LOADS(slow_flow)
-LOADS(slow_flow_mu0)
-LOADS(slow_flow_zeta0)
-LOADS(slow_flow_mu0_zeta0)
-LOADS(frequencies)
-LOADS(inertia)
-LOADS(off_centre)
-LOADS(dissipation)
-LOADS(linearization)
-LOADS(sensitivities)
-LOADS(sampled)
-LOADS(motion)
-LOADS(second_approximation)
-LOADS(den_hartog)
-LOADS(duffing)
-LOADS(rod_spring)
-LOADS(rod_spring_untruncated)
+#define LOADED(module) { #module, load_##module, METH_NOARGS, "The compiled kernels of slowflow_kernels." #module "."},
+
+#define MODULES(EACH) \
+    EACH(slow_flow) EACH(slow_flow_mu0) EACH(slow_flow_zeta0) EACH(slow_flow_mu0_zeta0) EACH(frequencies) \
+    EACH(inertia) EACH(off_centre) EACH(dissipation) EACH(linearization) EACH(sensitivities) EACH(sampled) \
+    EACH(motion) EACH(second_approximation) EACH(den_hartog) EACH(duffing) EACH(rod_spring) \
+    EACH(rod_spring_untruncated)
+
+MODULES(LOADS)
 
 static PyMethodDef methods[] = {
-    {"slow_flow", load_slow_flow, METH_NOARGS, "The compiled kernels of slowflow_kernels.slow_flow."},
-    {"slow_flow_mu0", load_slow_flow_mu0, METH_NOARGS, "The compiled kernels of slowflow_kernels.slow_flow_mu0."},
-    {"slow_flow_zeta0", load_slow_flow_zeta0, METH_NOARGS, "The compiled kernels of slowflow_kernels.slow_flow_zeta0."},
-    {"slow_flow_mu0_zeta0", load_slow_flow_mu0_zeta0, METH_NOARGS, "The compiled kernels of slowflow_kernels.slow_flow_mu0_zeta0."},
-    {"frequencies", load_frequencies, METH_NOARGS, "The compiled kernels of slowflow_kernels.frequencies."},
-    {"inertia", load_inertia, METH_NOARGS, "The compiled kernels of slowflow_kernels.inertia."},
-    {"off_centre", load_off_centre, METH_NOARGS, "The compiled kernels of slowflow_kernels.off_centre."},
-    {"dissipation", load_dissipation, METH_NOARGS, "The compiled kernels of slowflow_kernels.dissipation."},
-    {"linearization", load_linearization, METH_NOARGS, "The compiled kernels of slowflow_kernels.linearization."},
-    {"sensitivities", load_sensitivities, METH_NOARGS, "The compiled kernels of slowflow_kernels.sensitivities."},
-    {"sampled", load_sampled, METH_NOARGS, "The compiled kernels of slowflow_kernels.sampled."},
-    {"motion", load_motion, METH_NOARGS, "The compiled kernels of slowflow_kernels.motion."},
-    {"second_approximation", load_second_approximation, METH_NOARGS, "The compiled kernels of slowflow_kernels.second_approximation."},
-    {"den_hartog", load_den_hartog, METH_NOARGS, "The compiled kernels of slowflow_kernels.den_hartog."},
-    {"duffing", load_duffing, METH_NOARGS, "The compiled kernels of slowflow_kernels.duffing."},
-    {"rod_spring", load_rod_spring, METH_NOARGS, "The compiled kernels of slowflow_kernels.rod_spring."},
-    {"rod_spring_untruncated", load_rod_spring_untruncated, METH_NOARGS, "The compiled kernels of slowflow_kernels.rod_spring_untruncated."},
+    MODULES(LOADED)
     {NULL, NULL, 0, NULL},
 };
 

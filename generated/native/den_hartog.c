@@ -8,20 +8,15 @@
 
 #include "kernels.h"
 
-SF_SCALAR(, den_hartog_V, den_hartog_V, X(0))
-SF_SCALAR(, den_hartog_U, den_hartog_U, X(0))
-SF_SCALAR(, den_hartog_S_ratio, den_hartog_S_ratio, X(0), X(1))
-SF_SCALAR(, den_hartog_amplitude, den_hartog_amplitude, X(0), X(1), X(2))
-SF_SCALAR(, den_hartog_bound, den_hartog_bound, X(0), X(1), X(2))
-SF_SCALAR(, den_hartog_motion, den_hartog_motion, X(0), X(1), X(2), X(3))
+/* name, number of arguments and, where there are several, of results */
+#define KERNELS(NUMBER, NUMBERS, of) \
+    NUMBER(of, V, 1) NUMBER(of, U, 1) NUMBER(of, S_ratio, 2) NUMBER(of, amplitude, 3) NUMBER(of, bound, 3) \
+    NUMBER(of, motion, 4)
+
+KERNELS(SF_NUMBER, SF_NUMBERS, den_hartog)
 
 static const sf_kernel kernels[] = {
-    {"V", 1, 1, SF_ONE(den_hartog_V)},
-    {"U", 1, 1, SF_ONE(den_hartog_U)},
-    {"S_ratio", 2, 1, SF_ONE(den_hartog_S_ratio)},
-    {"amplitude", 3, 1, SF_ONE(den_hartog_amplitude)},
-    {"bound", 3, 1, SF_ONE(den_hartog_bound)},
-    {"motion", 4, 1, SF_ONE(den_hartog_motion)},
+    KERNELS(SF_NUMBER_KERNEL, SF_NUMBERS_KERNEL, den_hartog)
 };
 
 const sf_module sf_module_den_hartog = {"den_hartog", kernels, sizeof kernels / sizeof kernels[0]};

@@ -8,12 +8,15 @@
 
 #include "kernels.h"
 
+/* name, number of arguments and, where there are several, of results */
+#define KERNELS(NUMBER, NUMBERS, of) \
+    NUMBER(of, intercept, 3) NUMBERS(of, coefficients, 2, 2)
+
+KERNELS(SF_NUMBER, SF_NUMBERS, duffing)
 SF_TUPLE(, duffing_averaged, 4, duffing_averaged, X(0), (const double[]){X(1), X(2)})
 SF_TUPLE(, duffing_averaged_2, 2, duffing_averaged_2, X(0), (const double[]){X(1), X(2)})
 SF_TUPLE(, duffing_averaged_H, 2, duffing_averaged_H, X(0), (const double[]){X(1), X(2)})
-SF_SCALAR(, duffing_intercept, duffing_intercept, X(0), X(1), X(2))
 SF_TUPLE(, duffing_harmonics, 8, duffing_harmonics, X(0), (const double[]){X(1), X(2)})
-SF_TUPLE(, duffing_coefficients, 2, duffing_coefficients, X(0), X(1))
 SF_TUPLE(, duffing_hardening, 1, duffing_hardening, (const double[]){X(0), X(1)})
 SF_SCALAR(, duffing_force, duffing_force_1, X(0), X(1), X(2))
 SF_TUPLE(, duffing_saddle_node_onset, 11, duffing_saddle_node_onset, X(0), X(1), (const double[]){X(2), X(3)})
@@ -53,12 +56,11 @@ SF_PART(, duffing_detachment, 4, 2, duffing_averaged_2, (X(0), (const double[]){
     slow_flow_detachment(X(0), slow_flow_friction(X(1)), X(2), all[0], values);)
 
 static const sf_kernel kernels[] = {
+    KERNELS(SF_NUMBER_KERNEL, SF_NUMBERS_KERNEL, duffing)
     {"averaged", 3, 4, SF_ONE(duffing_averaged)},
     {"averaged_2", 3, 2, SF_ONE(duffing_averaged_2)},
     {"averaged_H", 3, 2, SF_ONE(duffing_averaged_H)},
-    {"intercept", 3, 1, SF_ONE(duffing_intercept)},
     {"harmonics", 3, 8, SF_ONE(duffing_harmonics)},
-    {"coefficients", 2, 2, SF_ONE(duffing_coefficients)},
     {"hardening", 2, 1, SF_ONE(duffing_hardening)},
     {"force", 3, 1, SF_ONE(duffing_force)},
     {"saddle_node_onset", 4, 11, SF_ONE(duffing_saddle_node_onset)},

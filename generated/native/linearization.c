@@ -8,10 +8,14 @@
 
 #include "kernels.h"
 
-SF_TUPLE(, linearization_steepest, 3, linearization_steepest, X(0))
+/* name, number of arguments and, where there are several, of results */
+#define KERNELS(NUMBER, NUMBERS, of) \
+    NUMBERS(of, steepest, 1, 3)
+
+KERNELS(SF_NUMBER, SF_NUMBERS, linearization)
 
 static const sf_kernel kernels[] = {
-    {"steepest", 1, 3, SF_ONE(linearization_steepest)},
+    KERNELS(SF_NUMBER_KERNEL, SF_NUMBERS_KERNEL, linearization)
 };
 
 const sf_module sf_module_linearization = {"linearization", kernels, sizeof kernels / sizeof kernels[0]};

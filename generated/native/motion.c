@@ -8,10 +8,14 @@
 
 #include "kernels.h"
 
-SF_SCALAR(, motion_turned, motion_turned, X(0), X(1))
+/* name, number of arguments and, where there are several, of results */
+#define KERNELS(NUMBER, NUMBERS, of) \
+    NUMBER(of, turned, 2)
+
+KERNELS(SF_NUMBER, SF_NUMBERS, motion)
 
 static const sf_kernel kernels[] = {
-    {"turned", 2, 1, SF_ONE(motion_turned)},
+    KERNELS(SF_NUMBER_KERNEL, SF_NUMBERS_KERNEL, motion)
 };
 
 const sf_module sf_module_motion = {"motion", kernels, sizeof kernels / sizeof kernels[0]};

@@ -8,16 +8,14 @@
 
 #include "kernels.h"
 
-SF_TUPLE(, off_centre_ended_along, 2, off_centre_ended_along, X(0), X(1), X(2), X(3), X(4), X(5))
-SF_TUPLE(, off_centre_begin, 4, off_centre_begin, X(0), X(1), X(2), X(3))
-SF_TUPLE(, off_centre_up, 2, off_centre_up, X(0), X(1), X(2), X(3), X(4), X(5), X(6), X(7))
-SF_TUPLE(, off_centre_down, 2, off_centre_down, X(0), X(1), X(2), X(3), X(4), X(5), X(6), X(7))
+/* name, number of arguments and, where there are several, of results */
+#define KERNELS(NUMBER, NUMBERS, of) \
+    NUMBERS(of, ended_along, 6, 2) NUMBERS(of, begin, 4, 4) NUMBERS(of, up, 8, 2) NUMBERS(of, down, 8, 2)
+
+KERNELS(SF_NUMBER, SF_NUMBERS, off_centre)
 
 static const sf_kernel kernels[] = {
-    {"ended_along", 6, 2, SF_ONE(off_centre_ended_along)},
-    {"begin", 4, 4, SF_ONE(off_centre_begin)},
-    {"up", 8, 2, SF_ONE(off_centre_up)},
-    {"down", 8, 2, SF_ONE(off_centre_down)},
+    KERNELS(SF_NUMBER_KERNEL, SF_NUMBERS_KERNEL, off_centre)
 };
 
 const sf_module sf_module_off_centre = {"off_centre", kernels, sizeof kernels / sizeof kernels[0]};

@@ -11,13 +11,17 @@
 #define REGIMES_1(loop, ...) loop(_passed_0, __VA_ARGS__) loop(_passed_1, __VA_ARGS__) loop(_passed_1_far_1, __VA_ARGS__)
 #define REGIMES_2(loop, ...) loop(_force_1, __VA_ARGS__) loop(_force_2, __VA_ARGS__)
 
+/* name, number of arguments and, where there are several, of results */
+#define KERNELS(NUMBER, NUMBERS, of) \
+    NUMBERS(of, coefficients, 3, 4)
+
+KERNELS(SF_NUMBER, SF_NUMBERS, rod_spring)
 REGIMES_1(SF_TUPLE, rod_spring_averaged, 4, rod_spring_averaged, X(0), (const double[]){X(1), X(2), X(3), X(4)})
 SF_CHOOSE(rod_spring_averaged, 5, A <= u_cr ? 0 : A <= 1.05 * u_cr ? 1 : 2, const double A = X(0), u_cr = X(4))
 REGIMES_1(SF_TUPLE, rod_spring_averaged_2, 2, rod_spring_averaged_2, X(0), (const double[]){X(1), X(2), X(3), X(4)})
 REGIMES_1(SF_TUPLE, rod_spring_averaged_H, 2, rod_spring_averaged_H, X(0), (const double[]){X(1), X(2), X(3), X(4)})
 REGIMES_1(SF_SCALAR, rod_spring_intercept, rod_spring_intercept, X(0), X(1), X(2), X(3), X(4))
 REGIMES_1(SF_TUPLE, rod_spring_harmonics, 8, rod_spring_harmonics, X(0), (const double[]){X(1), X(2), X(3), X(4)})
-SF_TUPLE(, rod_spring_coefficients, 4, rod_spring_coefficients, X(0), X(1), X(2))
 SF_TUPLE(, rod_spring_breakpoints, 1, rod_spring_breakpoints, (const double[]){X(0), X(1), X(2), X(3)})
 SF_TUPLE(, rod_spring_jumps, 1, rod_spring_jumps, (const double[]){X(0), X(1), X(2), X(3)})
 SF_TUPLE(, rod_spring_hardening, 3, rod_spring_hardening, (const double[]){X(0), X(1), X(2), X(3)})
@@ -75,12 +79,12 @@ REGIMES_1(SF_PART, rod_spring_detachment, 4, 2, rod_spring_averaged_2, (X(0), (c
     X(6)}, all), slow_flow_detachment(X(0), slow_flow_friction(X(1)), X(2), all[0], values);)
 
 static const sf_kernel kernels[] = {
+    KERNELS(SF_NUMBER_KERNEL, SF_NUMBERS_KERNEL, rod_spring)
     {"averaged", 5, 4, SF_SEVERAL(rod_spring_averaged, REGIMES_1(SF_NAMED, rod_spring_averaged))},
     {"averaged_2", 5, 2, SF_SEVERAL(rod_spring_averaged, REGIMES_1(SF_NAMED, rod_spring_averaged_2))},
     {"averaged_H", 5, 2, SF_SEVERAL(rod_spring_averaged, REGIMES_1(SF_NAMED, rod_spring_averaged_H))},
     {"intercept", 5, 1, SF_SEVERAL(rod_spring_averaged, REGIMES_1(SF_NAMED, rod_spring_intercept))},
     {"harmonics", 5, 8, SF_SEVERAL(rod_spring_averaged, REGIMES_1(SF_NAMED, rod_spring_harmonics))},
-    {"coefficients", 3, 4, SF_ONE(rod_spring_coefficients)},
     {"breakpoints", 4, 1, SF_ONE(rod_spring_breakpoints)},
     {"jumps", 4, 1, SF_ONE(rod_spring_jumps)},
     {"hardening", 4, 3, SF_ONE(rod_spring_hardening)},

@@ -12,6 +12,11 @@
 #define REGIMES_2(loop, ...) loop(_passed_0, __VA_ARGS__) loop(_passed_1, __VA_ARGS__)
 #define REGIMES_3(loop, ...) loop(_force_2, __VA_ARGS__) loop(_force_1, __VA_ARGS__)
 
+/* name, number of arguments and, where there are several, of results */
+#define KERNELS(NUMBER, NUMBERS, of) \
+    NUMBERS(of, coefficients, 3, 3)
+
+KERNELS(SF_NUMBER, SF_NUMBERS, rod_spring_untruncated)
 REGIMES_1(SF_TUPLE, rod_spring_untruncated_averaged_all, 7, rod_spring_untruncated_averaged_all, X(0), (const
     double[]){X(1), X(2), X(3)})
 SF_CHOOSE(rod_spring_untruncated_averaged_all, 4, A <= sqrt(-delta_h * delta_h + 2.0 * delta_h) && sqrt(-delta_h *
@@ -26,7 +31,6 @@ REGIMES_2(SF_TUPLE, rod_spring_untruncated_harmonics, 8, rod_spring_untruncated_
     double[]){X(1), X(2), X(3)})
 SF_CHOOSE(rod_spring_untruncated_harmonics, 4, A <= sqrt(-delta_h * delta_h + 2.0 * delta_h) ? 0 : 1, const double A
     = X(0), delta_h = X(3))
-SF_TUPLE(, rod_spring_untruncated_coefficients, 3, rod_spring_untruncated_coefficients, X(0), X(1), X(2))
 SF_TUPLE(, rod_spring_untruncated_breakpoints, 1, rod_spring_untruncated_breakpoints, (const double[]){X(0), X(1),
     X(2)})
 SF_TUPLE(, rod_spring_untruncated_jumps, 1, rod_spring_untruncated_jumps, (const double[]){X(0), X(1), X(2)})
@@ -41,9 +45,9 @@ SF_SCALAR(, rod_spring_untruncated_equivalent_damping, slow_flow_equivalent_damp
     slow_flow_friction(X(2)), X(3))
 
 static const sf_kernel kernels[] = {
+    KERNELS(SF_NUMBER_KERNEL, SF_NUMBERS_KERNEL, rod_spring_untruncated)
     {"averaged_all", 4, 7, SF_SEVERAL(rod_spring_untruncated_averaged_all, REGIMES_1(SF_NAMED, rod_spring_untruncated_averaged_all))},
     {"harmonics", 4, 8, SF_SEVERAL(rod_spring_untruncated_harmonics, REGIMES_2(SF_NAMED, rod_spring_untruncated_harmonics))},
-    {"coefficients", 3, 3, SF_ONE(rod_spring_untruncated_coefficients)},
     {"breakpoints", 3, 1, SF_ONE(rod_spring_untruncated_breakpoints)},
     {"jumps", 3, 1, SF_ONE(rod_spring_untruncated_jumps)},
     {"hardening", 3, 1, SF_ONE(rod_spring_untruncated_hardening)},

@@ -8,25 +8,15 @@
 
 #include "kernels.h"
 
-SF_TUPLE(, second_approximation_response, 9, second_approximation_response, X(0), X(1), X(2), X(3), X(4), X(5),
-    X(6), X(7), X(8), X(9), X(10), X(11), X(12), X(13))
-SF_TUPLE(, second_approximation_detachment, 3, second_approximation_detachment, X(0), X(1), X(2), X(3), X(4), X(5),
-    X(6), X(7), X(8), X(9), X(10), X(11), X(12))
-SF_TUPLE(, second_approximation_detachment_by_inertia, 3, second_approximation_detachment_by_inertia, X(0), X(1),
-    X(2), X(3), X(4), X(5), X(6), X(7), X(8), X(9), X(10), X(11), X(12))
-SF_TUPLE(, second_approximation_folds, 3, second_approximation_folds, X(0), X(1), X(2), X(3), X(4), X(5), X(6),
-    X(7), X(8), X(9), X(10), X(11), X(12), X(13), X(14), X(15), X(16))
-SF_TUPLE(, second_approximation_components, 7, second_approximation_components, X(0), X(1), X(2), X(3), X(4), X(5))
-SF_TUPLE(, second_approximation_wave, 2, second_approximation_wave, X(0), X(1), X(2), X(3), X(4), X(5), X(6), X(7),
-    X(8))
+/* name, number of arguments and, where there are several, of results */
+#define KERNELS(NUMBER, NUMBERS, of) \
+    NUMBERS(of, response, 14, 9) NUMBERS(of, detachment, 13, 3) NUMBERS(of, detachment_by_inertia, 13, 3) \
+    NUMBERS(of, folds, 17, 3) NUMBERS(of, components, 6, 7) NUMBERS(of, wave, 9, 2)
+
+KERNELS(SF_NUMBER, SF_NUMBERS, second_approximation)
 
 static const sf_kernel kernels[] = {
-    {"response", 14, 9, SF_ONE(second_approximation_response)},
-    {"detachment", 13, 3, SF_ONE(second_approximation_detachment)},
-    {"detachment_by_inertia", 13, 3, SF_ONE(second_approximation_detachment_by_inertia)},
-    {"folds", 17, 3, SF_ONE(second_approximation_folds)},
-    {"components", 6, 7, SF_ONE(second_approximation_components)},
-    {"wave", 9, 2, SF_ONE(second_approximation_wave)},
+    KERNELS(SF_NUMBER_KERNEL, SF_NUMBERS_KERNEL, second_approximation)
 };
 
 const sf_module sf_module_second_approximation = {"second_approximation", kernels, sizeof kernels / sizeof kernels[0]};

@@ -8,16 +8,15 @@
 
 #include "kernels.h"
 
-SF_TUPLE(, slow_flow_mu0_response_quartic, 4, slow_flow_mu0_response_quartic, X(0), X(1), X(2), X(3), X(4))
-SF_TUPLE(, slow_flow_mu0_detachment, 3, slow_flow_mu0_detachment, X(0), X(1), X(2), X(3))
-SF_TUPLE(, slow_flow_mu0_fold, 3, slow_flow_mu0_fold, X(0), X(1), X(2), X(3), X(4), X(5), X(6), X(7))
-SF_TUPLE(, slow_flow_mu0_isola, 2, slow_flow_mu0_isola, X(0), X(1), X(2), X(3), X(4), X(5))
+/* name, number of arguments and, where there are several, of results */
+#define KERNELS(NUMBER, NUMBERS, of) \
+    NUMBERS(of, response_quartic, 5, 4) NUMBERS(of, detachment, 4, 3) NUMBERS(of, fold, 8, 3) \
+    NUMBERS(of, isola, 6, 2)
+
+KERNELS(SF_NUMBER, SF_NUMBERS, slow_flow_mu0)
 
 static const sf_kernel kernels[] = {
-    {"response_quartic", 5, 4, SF_ONE(slow_flow_mu0_response_quartic)},
-    {"detachment", 4, 3, SF_ONE(slow_flow_mu0_detachment)},
-    {"fold", 8, 3, SF_ONE(slow_flow_mu0_fold)},
-    {"isola", 6, 2, SF_ONE(slow_flow_mu0_isola)},
+    KERNELS(SF_NUMBER_KERNEL, SF_NUMBERS_KERNEL, slow_flow_mu0)
 };
 
 const sf_module sf_module_slow_flow_mu0 = {"slow_flow_mu0", kernels, sizeof kernels / sizeof kernels[0]};

@@ -8,10 +8,14 @@
 
 #include "kernels.h"
 
-SF_TUPLE(, slow_flow_mu0_zeta0_detachment, 2, slow_flow_mu0_zeta0_detachment, X(0), X(1), X(2), X(3))
+/* name, number of arguments and, where there are several, of results */
+#define KERNELS(NUMBER, NUMBERS, of) \
+    NUMBERS(of, detachment, 4, 2)
+
+KERNELS(SF_NUMBER, SF_NUMBERS, slow_flow_mu0_zeta0)
 
 static const sf_kernel kernels[] = {
-    {"detachment", 4, 2, SF_ONE(slow_flow_mu0_zeta0_detachment)},
+    KERNELS(SF_NUMBER_KERNEL, SF_NUMBERS_KERNEL, slow_flow_mu0_zeta0)
 };
 
 const sf_module sf_module_slow_flow_mu0_zeta0 = {"slow_flow_mu0_zeta0", kernels, sizeof kernels / sizeof kernels[0]};

@@ -11,6 +11,7 @@ import slowflow_kernels
 from slowflow.support.errors import Refused
 from slowflow.support.in_jax import in_jax
 from slowflow_kernels import duffing, rod_spring, rod_spring_untruncated
+from tests.backends import as_rows
 
 jax = pytest.importorskip("jax", reason="JAX is not installed")
 MODULES = [
@@ -46,10 +47,6 @@ def test_values_on_jax_are_those_on_numpy(module):
             continue
         for ours, one in zip(as_rows(kernel(*arguments)), as_rows(expected), strict=True):
             np.testing.assert_allclose(ours, one, rtol=1e-9, atol=1e-12, err_msg=name)
-
-
-def as_rows(found):
-    return [np.asarray(one, dtype=float) for one in (found if isinstance(found, tuple | list) else [found])]
 
 
 @pytest.mark.parametrize(

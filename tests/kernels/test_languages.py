@@ -11,7 +11,7 @@ import pytest
 
 import slowflow_kernels
 from slowflow import languages
-from tests.kernels.test_in_jax import as_rows
+from tests.backends import as_rows
 
 MODULES = {name: getattr(slowflow_kernels, name) for name in slowflow_kernels.MODULES}
 

@@ -21,6 +21,8 @@ HEADERS = GENERATED / "c"
 PROTOTYPE = re.compile(r"^(?:static inline|SF_KERNEL|SF_TWOFOLD) (double|void) (\w+)\(([^)]*)\)", re.MULTILINE)
 COMMENT = re.compile(r"/\*.*?\*/", re.DOTALL)
 WORD = re.compile(r"\b[A-Za-z_]\w*\b")
+#: of the kernels with one regime each, in the lists that loops are made by
+LISTED = re.compile(r"\bNUMBERS?\(of, (\w+),")
 #: names that a macro of the solvers puts together begin so
 PASTED = re.compile(r"\b(\w+)##")
 WIDEST = 128
@@ -58,7 +60,9 @@ def called() -> set[str]:
     paths = {path for folder in folders for path in folder.rglob("*.[ch]")}.difference(loops)
     texts = [COMMENT.sub("", path.read_text()) for path in paths]
     found = {word for text in texts for word in WORD.findall(text)}
-    found |= {word for path in loops for word in WORD.findall(path.read_text())}.difference(of_solvers())
+    looped = {path.stem: path.read_text() for path in loops}
+    listed = {f"{module}_{name}" for module, text in looped.items() for name in LISTED.findall(text)}
+    found |= {word for text in looped.values() for word in WORD.findall(text)}.union(listed).difference(of_solvers())
     pasted = {prefix for text in texts for prefix in PASTED.findall(text)}
     left = [name for name in bodies if name in found or any(map(name.startswith, pasted))]
     reached: set[str] = set()

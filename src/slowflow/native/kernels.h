@@ -44,6 +44,37 @@ typedef void (*sf_choose)(ptrdiff_t n, const double *const *in, unsigned char *r
 #define SF_PART(regime, kernel, outputs, width, source, arguments, ...) \
     SF_LOOP(kernel##regime##_loop, outputs, double all[width]; source##regime arguments; __VA_ARGS__)
 
+/* The first n arguments of element i. */
+#define SF_FIRST_1 X(0)
+#define SF_FIRST_2 SF_FIRST_1, X(1)
+#define SF_FIRST_3 SF_FIRST_2, X(2)
+#define SF_FIRST_4 SF_FIRST_3, X(3)
+#define SF_FIRST_5 SF_FIRST_4, X(4)
+#define SF_FIRST_6 SF_FIRST_5, X(5)
+#define SF_FIRST_7 SF_FIRST_6, X(6)
+#define SF_FIRST_8 SF_FIRST_7, X(7)
+#define SF_FIRST_9 SF_FIRST_8, X(8)
+#define SF_FIRST_10 SF_FIRST_9, X(9)
+#define SF_FIRST_11 SF_FIRST_10, X(10)
+#define SF_FIRST_12 SF_FIRST_11, X(11)
+#define SF_FIRST_13 SF_FIRST_12, X(12)
+#define SF_FIRST_14 SF_FIRST_13, X(13)
+#define SF_FIRST_15 SF_FIRST_14, X(14)
+#define SF_FIRST_16 SF_FIRST_15, X(15)
+#define SF_FIRST_17 SF_FIRST_16, X(16)
+#define SF_FIRST_18 SF_FIRST_17, X(17)
+#define SF_FIRST_19 SF_FIRST_18, X(18)
+#define SF_FIRST_20 SF_FIRST_19, X(19)
+#define SF_FIRST_21 SF_FIRST_20, X(20)
+
+/* Of a kernel with one regime, whose function takes its arguments as they come: the loop, and what the table says. */
+#define SF_NUMBER(module, name, inputs) \
+    SF_SCALAR(, module##_##name, module##_##name, SF_FIRST_##inputs)
+#define SF_NUMBERS(module, name, inputs, outputs) \
+    SF_TUPLE(, module##_##name, outputs, module##_##name, SF_FIRST_##inputs)
+#define SF_NUMBER_KERNEL(module, name, inputs) {#name, inputs, 1, SF_ONE(module##_##name)},
+#define SF_NUMBERS_KERNEL(module, name, inputs, outputs) {#name, inputs, outputs, SF_ONE(module##_##name)},
+
 /* The function that chooses a kernel's regime by what is declared of element i. The arrays go into a table of its own,
  * as a char that is written may alias the one that is given. */
 #define SF_CHOOSE(kernel, inputs, chosen, ...) \

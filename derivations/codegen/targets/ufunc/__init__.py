@@ -20,6 +20,8 @@ from ..c.records import guards_of
 
 # SF_MOST_OPERANDS in kernels.h
 MOST_OPERANDS = 32
+#: a space that no line ends with
+UNBROKEN = "\xa0"
 
 
 @dataclass(frozen=True)
@@ -34,7 +36,7 @@ class Ufunc:
     """
 
     name: str
-    prefix: str
+    module: str
     inputs: int
     outputs: int
     loop: list[str]
@@ -43,10 +45,26 @@ class Ufunc:
     read: dict[str, int] = field(default_factory=dict)
     chosen_by: str = ""
 
+    @property
+    def prefix(self) -> str:
+        """What the names of its loops begin with."""
+        return f"{self.module}_{self.name}"
+
+    @property
+    def listed(self) -> str:
+        """How the list of kernels has one that has a function of its name and arguments; nothing of another."""
+        arguments = [*map(element, range(self.inputs))]
+        if not self.guards and self.loop == ["SF_SCALAR", self.prefix, *arguments]:
+            return f"NUMBER(of, {self.name}, {self.inputs})"
+        if not self.guards and self.loop == ["SF_TUPLE", str(self.outputs), self.prefix, *arguments]:
+            return f"NUMBERS(of, {self.name}, {self.inputs}, {self.outputs})"
+        return ""
+
 
 def files(modules: Sequence[Module]) -> dict[str, str]:
     """Every file of this stage."""
     environment = templates(Path(__file__).parent)
+    environment.filters["continued"] = lambda text: text.replace("\n", " \\\n").replace(UNBROKEN, " ")
     result = {}
     looped = [module for module in modules if module.looped]
     for module in looped:
@@ -57,6 +75,7 @@ def files(modules: Sequence[Module]) -> dict[str, str]:
         text = environment.get_template("module.c.jinja").render(
             module=module,
             ufuncs=ufuncs,
+            listed=" ".join(one.listed.replace(" ", UNBROKEN) for one in ufuncs if one.listed),
             lists=list(dict.fromkeys(one.regimes for one in ufuncs if one.guards)),
             choice=choice,
             tools=tools(),
@@ -99,19 +118,17 @@ def elements(function: Called) -> list[str]:
 def of(one: Kernel | TwofoldKernel | Selection | Composition, module: Module) -> Ufunc:
     """Anything that is compiled as a ufunc: its regimes are those of the kernel that it is or calls."""
     inputs = len(one.arguments)
-    prefix = f"{module.name}_{one.name}"
     if isinstance(one, TwofoldKernel):
         macro = ["SF_SCALAR"] if one.width == 1 else ["SF_TUPLE", str(one.width)]
-        called, loop = None, [*macro, prefix, *map(element, range(inputs))]
+        called, loop = None, [*macro, f"{module.name}_{one.name}", *map(element, range(inputs))]
     elif isinstance(one, Kernel):
         called, loop = one, of_kernel(one, module)
     elif isinstance(one, Selection):
         called, loop = one.source, of_selection(one, module)
     else:
         called, loop = one.average, of_composition(one, module)
-    if called is None:
-        return Ufunc(one.name, prefix, inputs, one.width, loop)
-    return Ufunc(one.name, prefix, inputs, one.width, loop, named(called, module)[1], *guards_of(called, one.arguments))
+    regimes = (named(called, module)[1], *guards_of(called, one.arguments)) if called else ()
+    return Ufunc(one.name, module.name, inputs, one.width, loop, *regimes)
 
 
 def named(kernel: Kernel, module: Module) -> tuple[str, tuple[str, ...]]:
