@@ -12,6 +12,7 @@ import matplotlib as mpl
 import numpy as np
 
 from benchmarks import claims_page
+from benchmarks.document import Columns, columns_of, table
 from derivations.ledger import figures as judged
 from derivations.ledger import measured
 from examples.paper import figures
@@ -34,6 +35,8 @@ BINS = (("1", 2), ("3", 4), ("5", 5))
 NARROWEST = 1.25
 WINDOW_7A = (0.5, 1.3)
 FORCES = ("untruncated", "truncated")
+#: of mu/F_0, in tables
+RANGES = ((0, 0.3), (0.4, 0.5), (0.55, 0.65), (0.7, 0.77))
 NAMES = {"A": "largest amplitude", "jump-up": "Omega of the jump up", "jump-down": "Omega of the jump down"}
 
 
@@ -289,31 +292,34 @@ def _critical(numbers: dict[str, Any], quantity: str, ratios: tuple[float, float
     )
 
 
-def _second(numbers: dict[str, Any], ranges: tuple[tuple[float, float], ...]) -> dict[str, Any]:
-    """The table of largest errors, and how often the number of folds is the exact one."""
-    rows = [
-        "| mu/F_0 | largest amplitude | jump up, Omega | jump down, Omega | F_SN | F_cr |",
-        "|---|---|---|---|---|---|",
-    ]
-    for low, high in ranges:
-        sizes = [_at_resonance(numbers, quantity, (low, high), "second") for quantity in NAMES]
-        sizes += [_critical(numbers, quantity, (low, high), "second") for quantity in ("F_SN", "F_cr")]
-        rows.append(f"| {low:g} to {high:g} | " + " | ".join(sizes) + " |")
+def _by_ratio(numbers: dict[str, Any], kind: str) -> str:
+    """The table of largest errors of averaging ("exact") or of the second approximation."""
+    rows = []
+    for low, high in RANGES:
+        sizes = [_at_resonance(numbers, quantity, (low, high), kind) for quantity in NAMES]
+        sizes += [_critical(numbers, quantity, (low, high), kind) for quantity in ("F_SN", "F_cr")]
+        rows.append((f"{low:g} to {high:g}", *sizes))
+    head = ("mu/F_0", "largest amplitude", "jump up, Omega", "jump down, Omega", "F_SN", "F_cr")
+    return "\n".join(table(head, rows))
+
+
+def _second(numbers: dict[str, Any]) -> dict[str, Any]:
+    """The tables of errors, and how often the number of folds is the exact one."""
     early = [cell for cell in numbers["resonance"] if "second" in cell and cell["ratio"] <= 0.65]
     wrong = {
         kind: sum(cell[kind]["folds"][0] != cell[kind]["folds"][1] for cell in early) for kind in ("exact", "second")
     }
-    by_rest = [
-        "| mu/(A Omega^2) from | averaging: median | 95th percentile | second: median | 95th percentile |",
-        "|---|---|---|---|---|",
-    ]
-    pool = numbers["pool"]
+    by_rest, pool = [], numbers["pool"]
     for edge, one, other in zip(pool["rests"], pool["by rest"], pool["second by rest"], strict=True):
         cells = [cell[kind] for cell in (one, other) for kind in ("median", "q95")]
-        by_rest.append(f"| {edge:g} | " + " | ".join("-" if v is None else _percent(v) for v in cells) + " |")
+        by_rest.append((f"{edge:g}", *("-" if v is None else _percent(v) for v in cells)))
+    head = (
+        "mu/(A Omega^2) from",
+        *("averaging: median", "95th percentile", "second: median", "95th percentile"),
+    )
     return {
-        "second_by_ratio": "\n".join(rows),
-        "second_by_rest": "\n".join(by_rest),
+        "second_by_ratio": _by_ratio(numbers, "second"),
+        "second_by_rest": "\n".join(table(head, by_rest)),
         "second_q95": _percent(
             max(
                 cell["q95"]
@@ -329,34 +335,27 @@ def _second(numbers: dict[str, Any], ranges: tuple[tuple[float, float], ...]) ->
 def _table_2(rows: list[dict[str, Any]]) -> str:
     """Table 2 by each way."""
     ways = [way for way in rows[0] if way != "what"]
-    lines = ["| answer | " + " | ".join(ways) + " |", "|---" * (len(ways) + 1) + "|"]
-    for row in rows:
-        lines.append(
-            f"| {row['what']} | " + " | ".join("-" if row[way] is None else f"{row[way]:.5f}" for way in ways) + " |"
-        )
-    return "\n".join(lines)
+    cells = [(row["what"], *("-" if row[way] is None else f"{row[way]:.5f}" for way in ways)) for row in rows]
+    return "\n".join(table(("answer", *ways), cells))
 
 
 def _random(rows: list[dict[str, Any]]) -> dict[str, str]:
     """Errors of random vibration by friction's share of the damping, and the largest of some of these."""
-    shares = sorted({row["dry"] for row in rows})
-    lines = [
-        "| spring, sigma_u over its breakpoint | excitation | " + " | ".join(f"{dry:g}" for dry in shares) + " |",
-        "|---" * (len(shares) + 2) + "|",
-    ]
+    shares = (f"{dry:g}" for dry in sorted({row["dry"] for row in rows}))
+    head = ("spring, sigma_u over its breakpoint", "excitation", *shares)
+    lines: list[tuple[str, ...]] = []
 
-    def errors(cells: Iterable[dict[str, Any]], way: str) -> str:
+    def errors(cells: Iterable[dict[str, Any]], way: str) -> Iterable[str]:
         # an asterisk: several equivalent oscillators
-        return " | ".join(
-            " / ".join(f"{100 * error:+.1f}" for error in cell[way]) + "*" * (cell["motions"] > 1) for cell in cells
-        )
+        for cell in cells:
+            yield " / ".join(f"{100 * error:+.1f}" for error in cell[way]) + "*" * (cell["motions"] > 1)
 
     for (spring, level, band), cells in itertools.groupby(rows, lambda row: (row["spring"], row["level"], row["band"])):
         some = list(cells)
         within = "white noise" if band is None else f"Omega_e/{band:g} to {band:g} Omega_e"
-        lines.append(f"| {spring}, {level:g} | {within} | {errors(some, 'linearized')} |")
+        lines.append((f"{spring}, {level:g}", within, *errors(some, "linearized")))
         if band is None:
-            lines.append(f"| | by energy | {errors(some, 'by energy')} |")
+            lines.append(("", "by energy", *errors(some, "by energy")))
 
     def largest(way: str, dry: float, *springs: str, narrow: bool = False) -> str:
         chosen = [row for row in rows if row["spring"] in springs and row["dry"] <= dry]
@@ -364,7 +363,7 @@ def _random(rows: list[dict[str, Any]]) -> dict[str, str]:
 
     rare = next(row for row in rows if (row["level"], row["band"], row["dry"]) == (0.25, None, 0.8))
     return {
-        "random": "\n".join(lines),
+        "random": "\n".join(table(head, lines)),
         "random_margin": _largest(margin for row in rows for margin in row["margin"]),
         "random_at_6": largest("linearized", 0.6, "isolator"),
         "random_at_8": largest("linearized", 0.8, "isolator"),
@@ -398,40 +397,40 @@ def page(numbers: dict[str, Any]) -> str:
         for cell in found
         if "exact" in cell and cell["exact"]["folds"][0] != cell["exact"]["folds"][1] and cell["ratio"] <= 0.65
     ]
-    ranges = ((0, 0.3), (0.4, 0.5), (0.55, 0.65), (0.7, 0.77))
-    by_ratio = [
-        "| mu/F_0 | largest amplitude | jump up, Omega | jump down, Omega | F_SN | F_cr |",
-        "|---|---|---|---|---|---|",
+    spread: Columns = {
+        "median": lambda cell: _percent(cell["median"]),
+        "95th percentile": lambda cell: _percent(cell["q95"]),
+    }
+    by_rest: Columns = {
+        "mu/(A Omega^2) from": lambda cell: f"{cell['from']:g}",
+        "points": lambda cell: str(cell["points"]),
+        "with stops": lambda cell: f"{100 * cell['stopping']:.0f} %",
+        **spread,
+    }
+    bins = [{"from": edge, **cell} for edge, cell in zip(pool["rests"], pool["by rest"], strict=True)]
+    shares: Columns = {
+        "motion": lambda cell: cell["motion"],
+        "points": lambda cell: str(cell["points"]),
+        "force of the exact curve": lambda cell: cell["meant"],
+        **spread,
+    }
+    motions = [
+        {"motion": description, "meant": meant, **pool[kind][force]}
+        for kind, description in (("moving", "without stops"), ("stopping", "with stops"))
+        for force, meant in (("truncated", "(6): error of one harmonic"), ("exact", "(5): the same and truncation"))
     ]
-    for low, high in ranges:
-        sizes = [_at_resonance(numbers, quantity, (low, high)) for quantity in NAMES]
-        sizes += [_critical(numbers, quantity, (low, high)) for quantity in ("F_SN", "F_cr")]
-        by_ratio.append(f"| {low:g} to {high:g} | " + " | ".join(sizes) + " |")
-    by_rest = ["| mu/(A Omega^2) from | points | with stops | median | 95th percentile |", "|---|---|---|---|---|"]
-    for edge, cell in zip(pool["rests"], pool["by rest"], strict=True):
-        by_rest.append(
-            f"| {edge:g} | {cell['points']} | {100 * cell['stopping']:.0f} % | {_percent(cell['median'])} | "
-            f"{_percent(cell['q95'])} |"
-        )
-    shares = ["| motion | points | force of the exact curve | median | 95th percentile |", "|---|---|---|---|---|"]
-    for kind, description in (("moving", "without stops"), ("stopping", "with stops")):
-        for force, meant in (("truncated", "(6): error of one harmonic"), ("exact", "(5): the same and truncation")):
-            cell = pool[kind][force]
-            shares.append(
-                f"| {description} | {cell['points']} | {meant} | {_percent(cell['median'])} | {_percent(cell['q95'])} |"
-            )
     truncated = _largest(cell.get("A") for cell in numbers["truncation"])
     at_table_1 = _largest(
         cell.get("A") for cell in numbers["truncation"] if cell["u_cr"] < 0.44 and cell["level"] > 0.9
     )
     return TEMPLATE.read_text(encoding="utf-8").format(
         integrator=numbers["integrator"],
-        by_ratio="\n".join(by_ratio),
-        by_rest="\n".join(by_rest),
-        shares="\n".join(shares),
+        by_ratio=_by_ratio(numbers, "exact"),
+        by_rest="\n".join(columns_of(by_rest, bins)),
+        shares="\n".join(columns_of(shares, motions)),
         least_rest=pool["least rest with stops"],
         near=remarked_from(pool),
-        **_second(numbers, ranges),
+        **_second(numbers),
         table_2=_table_2(numbers["table 2"]),
         designs=len(compared),
         lost=sum("truncated" not in cell for cell in found),

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import itertools
+import math
 from collections.abc import Callable, Iterable
+from operator import itemgetter
 from pathlib import Path
 from typing import Any
 
 import matplotlib as mpl
 
-from benchmarks.document import environment_lines, table
-from benchmarks.stress import answers, counts, domains, kernels, proofs, roots, scale
+from benchmarks.document import Columns, columns_of, environment_lines, table
+from benchmarks.stress import answers, counts, domains, kernels, proofs, roots
 
 mpl.use("Agg")
 import matplotlib.pyplot as plt
@@ -71,45 +73,80 @@ def worst_of(row: Numbers) -> Numbers | None:
     return max(row["worst"], key=lambda w: value(w["error"]), default=None)
 
 
-def by_kernel(found: list[Numbers]) -> Rows:
-    """Every kernel with its worst error and where it occurs."""
-    rows = []
-    for row in found:
-        worst = worst_of(row)
-        if worst is None:
-            rows.append((f"{row['module']}.{row['kernel']}", "0", "-", "-", "-", "no point within the domain"))
-            continue
-        other = row["rows"][row["worst"].index(worst)]["errors"]["numpy"]
-        rows.append(
-            (
-                f"{row['module']}.{row['kernel']}",
-                str(row["points"]),
-                number(worst["error"]) + (" **missed**" if value(worst["error"]) > kernels.TARGET else ""),
-                "-" if other is None else number(other),
-                number(worst["condition"]),
-                where(row["names"], worst["at"]),
-            )
-        )
-    return rows
+def misses(row: Numbers, target: float) -> bool:
+    """Whether the worst error is beyond the target."""
+    worst = worst_of(row)
+    return worst is not None and value(worst["error"]) > target
 
 
-#: heads of tables
-KERNELS = ("kernel", "points", "error / u(1+κ)", "NumPy there", "1 + κ there", "where")
-ROOTS = ("roots", "family", "cases", "wrong counts", "error / u(1+κ)", "1 + κ there")
-ANSWERS = ("force", "answer", "answers", "error / u(1+κ)", "1 + κ there", "no reference")
-COUNTS = (
-    "question",
-    "cases",
-    "wrong",
-    "wrong next to a level",
-    "undecided",
-    "repeated in balls",
-    "still undecided",
-    "wrong in balls",
-    "refused",
-    "not proved",
-)
-SCALE = ("question", "cases", "differ", "undecided", "not proved", "refused")
+def at_worst(cell: Callable[[Numbers, Numbers], str]) -> Callable[[Numbers], str]:
+    """What a cell shows of a row and its worst point; a dash where there is none."""
+    return lambda row: "-" if (worst := worst_of(row)) is None else cell(row, worst)
+
+
+def error(target: float = math.inf) -> Callable[[Numbers], str]:
+    """The cell of the worst error, marked beyond the target."""
+    return at_worst(lambda row, worst: number(worst["error"]) + " **missed**" * misses(row, target))
+
+
+def counted(name: str) -> Callable[[Numbers], str]:
+    """The cell of a number, or of how many there are in a list."""
+    return lambda row: f"{row[name] if isinstance(row[name], int) else len(row[name]):,}"
+
+
+def by_numpy(row: Numbers, worst: Numbers) -> str:
+    """The error on NumPy at the worst point."""
+    other = row["rows"][row["worst"].index(worst)]["errors"]["numpy"]
+    return "-" if other is None else number(other)
+
+
+condition = at_worst(lambda row, worst: number(worst["condition"]))
+kernel_name: Callable[[Numbers], str] = lambda row: f"{row['module']}.{row['kernel']}"  # noqa: E731
+question: Callable[[Numbers], str] = lambda row: f"{row['mechanism']}, {row['kind']}"  # noqa: E731
+KERNELS: Columns = {
+    "kernel": kernel_name,
+    "points": counted("points"),
+    "error / u(1+κ)": error(kernels.TARGET),
+    "NumPy there": at_worst(by_numpy),
+    "1 + κ there": condition,
+    "where": at_worst(lambda row, worst: where(row["names"], worst["at"])),
+}
+ROOTS: Columns = {
+    "roots": itemgetter("kind"),
+    "family": itemgetter("family"),
+    "cases": counted("cases"),
+    "wrong counts": counted("wrong"),
+    "error / u(1+κ)": error(),
+    "1 + κ there": condition,
+}
+ANSWERS: Columns = {
+    "force": itemgetter("mechanism"),
+    "answer": itemgetter("kind"),
+    "answers": counted("answers"),
+    "error / u(1+κ)": error(answers.TARGET),
+    "1 + κ there": condition,
+    "no reference": counted("alone"),
+}
+COUNTS: Columns = {
+    "question": question,
+    "cases": counted("cases"),
+    "wrong": lambda row: f"{len(row['wrong'])} of {decided(row):,}",
+    "wrong next to a level": lambda row: f"{row['wrong beside']:,} of {row['beside'] - row['said beside']:,}",
+    "undecided": counted("said"),
+    "repeated in balls": counted("balls"),
+    "still undecided": counted("open"),
+    "wrong in balls": counted("wrong by balls"),
+    "refused": counted("refused"),
+    "not proved": counted("unproved"),
+}
+SCALE: Columns = {
+    "question": question,
+    "cases": counted("asked"),
+    "differ": counted("differ"),
+    "undecided": counted("undecided"),
+    "not proved": counted("unproved"),
+    "refused": counted("refused"),
+}
 
 
 def by_group(found: list[Numbers]) -> Rows:
@@ -123,24 +160,6 @@ def by_group(found: list[Numbers]) -> Rows:
     return rows
 
 
-def by_root(found: list[Numbers]) -> Rows:
-    """Every kind and family of roots."""
-    rows = []
-    for row in found:
-        worst = worst_of(row)
-        rows.append(
-            (
-                row["kind"],
-                row["family"],
-                f"{row['cases']:,}",
-                str(len(row["wrong"])),
-                number(worst["error"]) if worst else "-",
-                number(worst["condition"]) if worst else "-",
-            )
-        )
-    return rows
-
-
 def merged(found: list[list[Numbers]]) -> list[Numbers]:
     """Answers of all shares by mechanism and kind."""
     table: dict[tuple[str, str], Numbers] = {}
@@ -149,46 +168,26 @@ def merged(found: list[list[Numbers]]) -> list[Numbers]:
         if key not in table:
             table[key] = {**row, **{name: list(row[name]) for name in ("alone", "unjudged", "drawn", "worst")}}
         else:
-            table[key]["answers"] += row["answers"]
-            for name in ("alone", "unjudged", "drawn", "worst"):
+            for name in ("answers", "alone", "unjudged", "drawn", "worst"):
                 table[key][name] += row[name]
     return [table[key] for key in sorted(table)]
 
 
-def by_answer(found: list[Numbers]) -> Rows:
-    """Every kind of answer of each mechanism."""
-    rows = []
-    for row in found:
-        worst = worst_of(row)
-        assert worst is not None
-        rows.append(
-            (
-                row["mechanism"],
-                row["kind"],
-                f"{row['answers']:,}",
-                number(worst["error"]) + (" **missed**" if value(worst["error"]) > answers.TARGET else ""),
-                number(worst["condition"]),
-                str(len(row["alone"])),
-            )
-        )
-    return rows
-
-
-def summed(found: list[Numbers], kind: str) -> dict[str, Numbers]:
-    """Counts of all shares by mechanism."""
-    out: dict[str, Numbers] = {}
-    for row in found:
-        mine = row[kind]
-        total = out.setdefault(row["mechanism"], {"names": row["names"], "wrong": [], "refused": [], "instead": {}})
-        for name in counts.NUMBERS:
-            total[name] = total.get(name, 0) + mine[name]
-        total["wrong"] += mine["wrong"]
-        total["refused"] += mine["refused"]
+def totals(found: list[Numbers]) -> list[Numbers]:
+    """Counts of all shares by kind and mechanism."""
+    out: dict[tuple[str, str], Numbers] = {}
+    for kind, row in itertools.product(("states", "folds"), found):
+        mine, mechanism = row[kind], row["mechanism"]
+        none: Numbers = {"wrong": [], "refused": [], "instead": {}, **dict.fromkeys(counts.NUMBERS, 0)}
+        named = {"mechanism": mechanism, "kind": kind, "names": row["names"]}
+        total = out.setdefault((kind, mechanism), {**named, **none})
+        for name in (*counts.NUMBERS, "wrong", "refused"):
+            total[name] += mine[name]
         for way, (cases, wrong) in mine["instead"].items():
             tally = total["instead"].setdefault(way, [0, 0])
             tally[0] += cases
             tally[1] += wrong
-    return out
+    return list(out.values())
 
 
 def decided(total: Numbers) -> int:
@@ -196,31 +195,8 @@ def decided(total: Numbers) -> int:
     return int(total["cases"] - total["beside"] - total["said"] + total["said beside"])
 
 
-def by_count(found: list[Numbers]) -> Rows:
-    """States and folds of each mechanism."""
-    rows = []
-    for kind in ("states", "folds"):
-        for mechanism, total in summed(found, kind).items():
-            rows.append(
-                (
-                    f"{mechanism}, {kind}",
-                    f"{total['cases']:,}",
-                    f"{len(total['wrong'])} of {decided(total):,}",
-                    f"{total['wrong beside']:,} of {total['beside'] - total['said beside']:,}",
-                    f"{total['said']:,}",
-                    f"{total['balls']:,}",
-                    f"{total['open']:,}",
-                    f"{total['wrong by balls']:,}",
-                    str(len(total["refused"])),
-                    str(total["unproved"]),
-                )
-            )
-    return rows
-
-
 def scale_lines(found: list[Numbers]) -> list[str]:
     """Counts against proofs, and some of the cases that differ or that nothing proves."""
-    rows = [(f"{t['mechanism']}, {t['kind']}", *(f"{t[name]:,}" for name in scale.COUNTED)) for t in found]
     return [
         "### Millions of cases against proofs in intervals",
         "",
@@ -229,30 +205,9 @@ def scale_lines(found: list[Numbers]) -> list[str]:
         "undecided. Where only the proof fails, ball arithmetic agrees wherever it was tried",
         "(`tests/averaged/test_undecided.py`).",
         "",
-        *table(SCALE, rows),
+        *columns_of(SCALE, found),
         "",
     ]
-
-
-def wrong_counts(found: list[Numbers]) -> Rows:
-    """Some of the wrong ones, the farthest from a level first."""
-    rows = []
-    for kind in ("states", "folds"):
-        for mechanism, total in summed(found, kind).items():
-            for at, got, proved, units, relative, Omega in sorted(total["wrong"], key=lambda w: -w[3])[:5]:
-                there = where(total["names"], [value(x) for x in at]).removesuffix(", Omega nan")
-                rows.append(
-                    (
-                        f"{mechanism}, {kind}",
-                        str(got),
-                        str(proved),
-                        number(units),
-                        number(relative),
-                        number(Omega),
-                        there,
-                    )
-                )
-    return rows
 
 
 def by_other(numbers: Numbers) -> Rows:
@@ -261,46 +216,27 @@ def by_other(numbers: Numbers) -> Rows:
     of_roots = {r["family"]: r for r in numbers["roots"] if r["kind"] == "response"}
     for row in numbers["instead"][0]:
         mine = of_roots[row["family"]]
-        worst = worst_of(mine)
-        rows.append(
-            (
-                f"roots of (24): {row['family']}",
-                "numpy.roots",
-                f"{row['wrong']:,} of {row['cases']:,}",
-                number(row["error"]),
-                f"{len(mine['wrong'])} of {mine['cases']:,}",
-                number(worst["error"]) if worst else "-",
-            )
-        )
-    for kind in ("states", "folds"):
-        for mechanism, total in summed(numbers["counts"], kind).items():
-            for way, (cases, wrong) in total["instead"].items():
-                mine = f"{len(total['wrong'])} of {decided(total):,}"
-                rows.append((f"{kind}, {mechanism}", way, f"{wrong} of {cases}", "-", mine, "-"))
+        theirs = (f"{row['wrong']:,} of {row['cases']:,}", number(row["error"]))
+        ours = (f"{len(mine['wrong'])} of {mine['cases']:,}", error()(mine))
+        rows.append((f"roots of (24): {row['family']}", "numpy.roots", *theirs, *ours))
+    for total in totals(numbers["counts"]):
+        ours = (f"{len(total['wrong'])} of {decided(total):,}", "-")
+        for way, (cases, wrong) in total["instead"].items():
+            rows.append((f"{total['kind']}, {total['mechanism']}", way, f"{wrong} of {cases}", "-", *ours))
     return rows
 
 
 def by_extreme(found: list[Numbers]) -> tuple[Rows, int, int]:
     """Kernels that lose something at extreme numbers, and how many were tried and kept all."""
-    rows, tried, kept = [], 0, 0
-    for row in found:
-        mine = row["found"]
-        if mine is None or not mine["points"]:
-            continue
-        tried += 1
-        kept += not mine["lost"]
-        if mine["lost"]:
-            worst = mine["worst"]
-            names = kernels.named().get((row["module"], row["kernel"]), [f"x{k}" for k in range(len(worst["at"]))])
-            rows.append(
-                (
-                    f"{row['module']}.{row['kernel']}",
-                    f"{mine['lost']} of {mine['points']}",
-                    number(worst["error"]),
-                    where(names, worst["at"]),
-                )
-            )
-    return rows, tried, kept
+    tried = [row for row in found if row["found"] is not None and row["found"]["points"]]
+    lost = [row for row in tried if row["found"]["lost"]]
+    rows = []
+    for row in lost:
+        mine, worst = row["found"], row["found"]["worst"]
+        names = kernels.named().get((row["module"], row["kernel"]), [f"x{k}" for k in range(len(worst["at"]))])
+        share = f"{mine['lost']} of {mine['points']}"
+        rows.append((kernel_name(row), share, number(worst["error"]), where(names, worst["at"])))
+    return rows, len(tried), len(tried) - len(lost)
 
 
 # --- pictures ---------------------------------------------------------------------------------------------------------
@@ -354,18 +290,18 @@ def pictures(numbers: Numbers) -> dict[str, Any]:
 
 def in_short(numbers: Numbers) -> list[str]:
     """Targets and what was measured."""
-    found = [w for row in numbers["kernels"] if (w := worst_of(row))]
-    beyond = [w for w in found if value(w["error"]) > kernels.TARGET]
+    found = [row for row in numbers["kernels"] if worst_of(row)]
+    beyond = [row for row in found if misses(row, kernels.TARGET)]
     of_roots = [w for row in numbers["roots"] if (w := worst_of(row))]
     quartics = sum(row["cases"] for row in numbers["roots"])
     wrong_roots = sum(len(row["wrong"]) for row in numbers["roots"])
     of_answers = merged(numbers["answers"])
-    missed = [row for row in of_answers if value(worst_of(row)["error"]) > answers.TARGET]  # type: ignore[index]
-    totals = [t for kind in ("states", "folds") for t in summed(numbers["counts"], kind).values()]
+    missed = [row for row in of_answers if misses(row, answers.TARGET)]
+    of_counts = totals(numbers["counts"])
     cases, marked, balls, open_, wrong_balls = (
-        sum(t[name] for t in totals) for name in ("cases", "said", "balls", "open", "wrong by balls")
+        sum(t[name] for t in of_counts) for name in ("cases", "said", "balls", "open", "wrong by balls")
     )
-    wrong = sum(len(t["wrong"]) + t["wrong beside"] for t in totals)
+    wrong = sum(len(t["wrong"]) + t["wrong beside"] for t in of_counts)
     many, differ, of_many, unproved = (
         sum(t[name] for t in numbers["counts against proofs"]) for name in ("asked", "differ", "undecided", "unproved")
     )
@@ -391,7 +327,7 @@ def in_short(numbers: Numbers) -> list[str]:
 def page(numbers: Numbers) -> str:
     """The whole text."""
     extreme, tried, kept = by_extreme(numbers["extremes"])
-    misses = [row for row in by_kernel(numbers["kernels"]) if "missed" in row[2]]
+    missed = [row for row in numbers["kernels"] if misses(row, kernels.TARGET)]
     of_answers = merged(numbers["answers"])
     lines = [
         HEAD,
@@ -409,11 +345,11 @@ def page(numbers: Numbers) -> str:
             ("kernels", "number", "within the target", "median of the worst", "worst"), by_group(numbers["kernels"])
         ),
         "",
-        "Kernels that miss the target:" if misses else "Every kernel meets the target.",
+        "Kernels that miss the target:" if missed else "Every kernel meets the target.",
         "",
-        *(table(KERNELS, misses) if misses else []),
+        *(columns_of(KERNELS, missed) if missed else []),
         "",
-        *(f"- {row[0]}: {WHY.get(row[0], 'the cause is not known')}." for row in misses),
+        *(f"- {name}: {WHY.get(name, 'the cause is not known')}." for name in map(kernel_name, missed)),
         "",
         "Arguments lie within the bounds of `benchmarks/stress/domains.py` and the domain of the formula. Hard",
         "cases, with the symbols of that file, are drawn on purpose: "
@@ -442,7 +378,7 @@ def page(numbers: Numbers) -> str:
         "",
         "For double and triple roots, where kappa is infinite, only the number of roots is compared.",
         "",
-        *table(ROOTS, by_root(numbers["roots"])),
+        *columns_of(ROOTS, numbers["roots"]),
         "",
         "## Answers",
         "",
@@ -454,7 +390,7 @@ def page(numbers: Numbers) -> str:
         "returned at a double next to u_cr, where A may miss the target.",
         "Ranges: " + "; ".join(f"{name} {low:g} to {high:g}" for name, (low, high) in answers.BOUNDS.items()) + ".",
         "",
-        *table(ANSWERS, by_answer(of_answers)),
+        *columns_of(ANSWERS, of_answers),
         "",
         *refused_lines(numbers),
         *unjudged_lines(of_answers),
@@ -466,7 +402,7 @@ def page(numbers: Numbers) -> str:
         "arguments once may shift it. *Wrong* numbers are not marked as undecided; of the *undecided* ones",
         f"{counts.ASKED_OF_BALLS:.0%}, drawn at random, were repeated in ball arithmetic.",
         "",
-        *table(COUNTS, by_count(numbers["counts"])),
+        *columns_of(COUNTS, totals(numbers["counts"])),
         "",
         *wrong_lines(numbers),
         *scale_lines(numbers["counts against proofs"]),
@@ -514,18 +450,17 @@ def unjudged_lines(found: list[Numbers]) -> list[str]:
 
 
 def wrong_lines(numbers: Numbers) -> list[str]:
-    """The wrong counts, if any."""
-    rows = wrong_counts(numbers["counts"])
+    """The wrong counts, if any: how many, and some of each question, the farthest from a level first."""
+    head = ("asked", "found", "proved", "distance / u(1+κ)", "relative", "Omega of the level", "where")
+    wrong, rows = 0, []
+    for total in totals(numbers["counts"]):
+        wrong += len(total["wrong"])
+        for at, got, proved, *distances in sorted(total["wrong"], key=lambda w: -w[3])[:5]:
+            there = where(total["names"], [value(x) for x in at]).removesuffix(", Omega nan")
+            rows.append((question(total), str(got), str(proved), *map(number, distances), there))
     if not rows:
         return []
-    head = ("asked", "found", "proved", "distance / u(1+κ)", "relative", "Omega of the level", "where")
-    wrong = [w for kind in ("states", "folds") for t in summed(numbers["counts"], kind).values() for w in t["wrong"]]
-    return [
-        f"{len(wrong)} wrong in all; the farthest from a level first:",
-        "",
-        *table(head, rows),
-        "",
-    ]
+    return [f"{wrong} wrong in all; the farthest from a level first:", "", *table(head, rows), ""]
 
 
 def fraction(numbers: Numbers, what: str, proved: str = "proved") -> str:

@@ -37,6 +37,8 @@ MOST_SPRINGS = 4
 #: how far from F_SN, relatively, on either side
 DISTANCES = (1e-3, 1e-6, 1e-9, 1e-12, 1e-14)
 QUESTIONS = ("folds", "states", "F_SN", "F_cr")
+#: what is counted by question: all, what is proved, by doubles alone
+COUNTED = ("asked", "proved", "alone")
 #: families, by what is drawn otherwise; the first is that of the targets
 FAMILIES = ("anywhere", "delta_h to 1", "delta_h to 0", "alpha to 0", "F_0 to 4 mu/pi", "not truncated")
 #: of the others, for each isolator of the first
@@ -66,11 +68,24 @@ def drawn(rng: np.random.Generator, family: str) -> tuple[Isolator, float, float
     return isolator, isolator.sticking_forcing * (1 + values["excess"]), values["Omega"]
 
 
+def empty() -> dict[str, Any]:
+    """Nothing counted yet, by question, and nothing that is not proved."""
+    return {**{name: dict.fromkeys(QUESTIONS, 0) for name in COUNTED}, "unproved": []}
+
+
+def enter(tally: dict[str, Any], isolator: Isolator, F_0: float, what: str, proof: Proved) -> None:
+    """One more question; of one that is not proved, which isolator, and why."""
+    tally["asked"][what] += 1
+    tally["proved"][what] += proof.proved
+    tally["alone"][what] += proof.proved and proof.bits == DOUBLES
+    if not proof.proved:
+        forcing = "" if what.startswith("F_") else repr(F_0)
+        tally["unproved"].append((what, repr(isolator), forcing, proof.message))
+
+
 def of_family(rng: np.random.Generator, family: str, isolators: int) -> dict[str, Any]:
     """What is proved of some of a family, by doubles alone and with balls, the slowest proof in balls in seconds."""
-    total, proved, by_doubles = dict.fromkeys(QUESTIONS, 0), dict.fromkeys(QUESTIONS, 0), dict.fromkeys(QUESTIONS, 0)
-    unproved: list[tuple[str, ...]] = []
-    slowest = 0.0
+    tally, slowest = empty(), 0.0
     for _ in range(isolators):
         isolator, F_0, Omega = drawn(rng, family)
         model = isolator.model
@@ -84,12 +99,8 @@ def of_family(rng: np.random.Generator, family: str, isolators: int) -> dict[str
             start = time.process_time()
             proof = ask()
             slowest = max(slowest, time.process_time() - start)
-            total[what] += 1
-            proved[what] += proof.proved
-            by_doubles[what] += proof.proved and proof.bits == DOUBLES
-            if not proof.proved:
-                unproved.append(described(isolator, None if what.startswith("F_") else F_0, what, proof))
-    return {"asked": total, "proved": proved, "alone": by_doubles, "unproved": unproved, "slowest": slowest}
+            enter(tally, isolator, F_0, what, proof)
+    return {**tally, "slowest": slowest}
 
 
 def best(ask: Callable[[], Any]) -> float:
@@ -102,17 +113,10 @@ def best(ask: Callable[[], Any]) -> float:
     return min(times)
 
 
-def described(isolator: Isolator, F_0: float | None, what: str, proof: Proved) -> tuple[str, ...]:
-    """What is not proved, of which isolator, and why."""
-    return what, repr(isolator), "" if F_0 is None else repr(F_0), proof.message
-
-
 def stress(part: int, isolators: int) -> dict[str, Any]:
     """One share of the isolators."""
     rng = np.random.default_rng((SEED, part))
-    total, proved, by_doubles = dict.fromkeys(QUESTIONS, 0), dict.fromkeys(QUESTIONS, 0), dict.fromkeys(QUESTIONS, 0)
-    near_onset = {f"{distance:g}": [0, 0, 0] for distance in DISTANCES}
-    unproved: list[tuple[str, ...]] = []
+    tally, near_onset = empty(), {f"{distance:g}": [0, 0, 0] for distance in DISTANCES}
     others: list[tuple[str, ...]] = []
     widths: list[float] = []
     ratios: list[float] = []
@@ -128,11 +132,7 @@ def stress(part: int, isolators: int) -> dict[str, Any]:
         )
         for what, proof in zip(QUESTIONS, answers, strict=True):
             assert proof is not None
-            total[what] += 1
-            proved[what] += proof.proved
-            by_doubles[what] += proof.proved and proof.bits == DOUBLES
-            if not proof.proved:
-                unproved.append(described(isolator, None if what.startswith("F_") else F_0, what, proof))
+            enter(tally, isolator, F_0, what, proof)
         folds = certificate.saddle_nodes
         if folds.proved and len(folds.A) != len(found):
             others.append((repr(isolator), repr(F_0), str(len(found)), str(len(folds.A))))
@@ -150,11 +150,8 @@ def stress(part: int, isolators: int) -> dict[str, Any]:
                     near_onset[f"{distance:g}"][2] += near.proved and near.bits == DOUBLES
     return {
         "isolators": isolators,
-        "asked": total,
-        "proved": proved,
-        "alone": by_doubles,
+        **tally,
         "families": {name: of_family(rng, name, round(FAMILY_FRACTION * isolators)) for name in FAMILIES[1:]},
-        "unproved": unproved,
         "others": others,
         "beside": near_onset,
         "widths": widths,
@@ -169,34 +166,35 @@ def table_2() -> float:
     return best(lambda: [isolator.certify(F_0) for F_0 in forcings])
 
 
-def counted(chunks: list[dict[str, Any]], name: str) -> dict[str, int]:
-    """One count of all shares, by question."""
-    return {what: sum(part[name][what] for part in chunks) for what in QUESTIONS}
+def joined(chunks: list[dict[str, Any]], name: str) -> list[Any]:
+    """One list of all shares."""
+    return [one for part in chunks for one in part[name]]
 
 
 def of_all(chunks: list[dict[str, Any]]) -> dict[str, Any]:
-    """All shares of a family as one."""
-    return {
-        **{name: counted(chunks, name) for name in ("asked", "proved", "alone")},
-        "unproved": [one for part in chunks for one in part["unproved"]],
-        "slowest": max(part["slowest"] for part in chunks),
-    }
+    """What all shares counted."""
+    counts = {name: {what: sum(part[name][what] for part in chunks) for what in QUESTIONS} for name in COUNTED}
+    return {**counts, "unproved": joined(chunks, "unproved")}
 
 
 def summed(chunks: list[dict[str, Any]]) -> dict[str, Any]:
     """All shares as one."""
+    families = {name: [part["families"][name] for part in chunks] for name in FAMILIES[1:]}
+    widths = joined(chunks, "widths")
     return {
         "isolators": sum(part["isolators"] for part in chunks),
-        **{name: counted(chunks, name) for name in ("asked", "proved", "alone")},
-        "families": {name: of_all([part["families"][name] for part in chunks]) for name in FAMILIES[1:]},
-        "unproved": [one for part in chunks for one in part["unproved"]],
-        "others": [one for part in chunks for one in part["others"]],
+        **of_all(chunks),
+        "families": {
+            name: {**of_all(found), "slowest": max(part["slowest"] for part in found)}
+            for name, found in families.items()
+        },
+        "others": joined(chunks, "others"),
         "beside": {
             name: [sum(part["beside"][name][k] for part in chunks) for k in range(3)] for name in chunks[0]["beside"]
         },
-        "width": median([float(x) for part in chunks for x in part["widths"]]),
-        "widest": max(float(x) for part in chunks for x in part["widths"]),
-        "ratio": median([float(x) for part in chunks for x in part["ratios"]]),
+        "width": median(widths),
+        "widest": max(widths),
+        "ratio": median(joined(chunks, "ratios")),
         "table_2": table_2(),
     }
 
