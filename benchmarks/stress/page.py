@@ -234,8 +234,8 @@ def by_extreme(found: list[Numbers]) -> tuple[Rows, int, int]:
     for row in lost:
         mine, worst = row["found"], row["found"]["worst"]
         names = kernels.named().get((row["module"], row["kernel"]), [f"x{k}" for k in range(len(worst["at"]))])
-        share = f"{mine['lost']} of {mine['points']}"
-        rows.append((kernel_name(row), share, number(worst["error"]), where(names, worst["at"])))
+        beyond = f"{mine['lost']} of {mine['points']}"
+        rows.append((kernel_name(row), beyond, number(worst["error"]), where(names, worst["at"])))
     return rows, len(tried), len(tried) - len(lost)
 
 
