@@ -47,47 +47,6 @@ def drawn(rng):
     )
 
 
-def test_linear_structural_damping_has_its_closed_form():
-    eta, F_0 = 0.05, 0.04
-    found = Duffing(1.0, 0.0, eta=eta).amplitudes(Omega=[0.3, 0.999, 1.0, 1.7], F_0=F_0)
-    passes = 1 - found.Omega**2
-    assert found.A == pytest.approx(F_0 / np.hypot(passes, eta), rel=1e-12)
-    assert found.phi == pytest.approx(-np.arctan2(eta, passes), rel=1e-12)
-    assert found.transmissibility == pytest.approx(np.hypot(1, eta) / np.hypot(passes, eta), rel=1e-12)
-    assert found.stable.all()
-    peak = Duffing(1.0, 0.0, eta=eta).peak(F_0)
-    assert (peak.A, peak.Omega) == pytest.approx((F_0 / eta, 1.0), rel=1e-12)
-
-
-def test_linear_quadratic_damping_is_a_quadratic_in_A_squared():
-    c_2, F_0 = 0.7, 0.04
-    osc, d = Duffing(1.0, 0.0, c_2=c_2), 8 * c_2 / (3 * math.pi)
-    found = osc.amplitudes(Omega=[0.3, 0.999, 1.0, 1.7], F_0=F_0)
-    p, q = (1 - found.Omega**2) ** 2, (d * found.Omega**2) ** 2
-    square = 2 * F_0**2 / (p + np.sqrt(p**2 + 4 * q * F_0**2))
-    assert found.A == pytest.approx(np.sqrt(square), rel=1e-12)
-    assert osc.limit_envelope(Omega=found.Omega, F_0=F_0) == pytest.approx(np.sqrt(F_0 / d) / found.Omega, rel=1e-12)
-    assert osc.equivalent_damping(Omega=1.3, A=0.2) == pytest.approx(d * 0.2 * 1.3 / 2, rel=1e-14)
-    # F_Omega = 0: A^2 = (1 - X)/(d^2 X), and F = 0 is then d^2 X (1 - X) + (1 - X)^2 d^2 = ... in X = Omega^2
-    peak = osc.peak(F_0)
-    X = peak.Omega**2
-    assert (1 - X) == pytest.approx(d**2 * peak.A**2 * X, rel=1e-12)
-    assert peak.A**2 * (1 - X) ** 2 + (d * peak.A**2 * X) ** 2 == pytest.approx(F_0**2, rel=1e-12)
-
-
-def test_linear_cubic_damping_is_a_cubic_in_A_squared():
-    zeta, c_3, zeta_2, F_0 = 0.02, 3.0, 5.0, 0.04
-    osc, Omega = Duffing(1.0, 0.0, zeta=zeta, c_3=c_3, zeta_2=zeta_2), np.array([0.3, 0.999, 1.0, 1.7])
-    found = osc.amplitudes(Omega=Omega, F_0=F_0)
-    rise = 0.5 * zeta_2 * Omega + 0.75 * c_3 * Omega**3  # I = 2 zeta A Omega + rise A^3
-    for square, w, a in zip(found.A**2, found.Omega, rise, strict=True):
-        roots = np.roots([a**2, 4 * zeta * w * a, (1 - w**2) ** 2 + (2 * zeta * w) ** 2, -(F_0**2)])
-        assert [root.real for root in roots if abs(root.imag) < 1e-12 and root.real > 0] == pytest.approx([square])
-    envelope = osc.limit_envelope(Omega=Omega, F_0=F_0)
-    assert 2 * zeta * envelope * Omega + rise * envelope**3 == pytest.approx(F_0, rel=1e-12)
-    assert (osc.limit_envelope(Omega=Omega, F_0=1e-30) > 0).all()
-
-
 def loose_mount(**damping):
     """Nothing pulls within the gap, and no box down to Omega = 0 was small enough: every force was unresolved."""
     u, k, gap = sp.symbols("u k gap")

@@ -57,13 +57,6 @@ def test_cusps_are_those_of_a_force_at_the_certified_level():
     assert compared > 30
 
 
-def test_an_onset_is_where_folds_come():
-    for case in CASES[::3]:
-        osc = on_a_base(case, False)
-        onset = osc.saddle_node_onset()
-        if onset.F_SN is not None:
-            assert len(osc.saddle_nodes(onset.F_SN * (1 - 1e-6))) == 0
-            assert len(osc.saddle_nodes(onset.F_SN * (1 + 1e-4))) >= 2
 
 
 def test_every_state_of_a_fine_grid_of_amplitudes_is_found():
@@ -113,26 +106,6 @@ def test_a_locus_that_begins_at_rest_has_no_folds_there(zeta):
     h, h_A, *_ = one.model.averaged(A)
     assert Omega**2 == pytest.approx(-h_A, rel=1e-15)
     assert abs(h - A * h_A) / Omega**2 == pytest.approx(F_0, rel=1e-3)  # the difference of two has few digits
-
-
-def test_the_linear_mount_has_its_closed_forms():
-    alpha, zeta, Y = 0.8, 0.07, 0.3
-    osc = Duffing(alpha, 0.0, zeta=zeta, excitation="base")
-    Omega = np.geomspace(0.05, 50.0, 60)
-    found = osc.amplitudes(Omega=Omega, F_0=Y)
-    bottom = (alpha - Omega**2) ** 2 + (2 * zeta * Omega) ** 2
-    assert np.allclose(found.A, Y * Omega**2 / np.sqrt(bottom), rtol=1e-12, atol=0)
-    assert np.allclose(found.relative, Omega**2 / np.sqrt(bottom), rtol=1e-12, atol=0)
-    # X/Y of the mass, seen from outside
-    absolute = np.sqrt((alpha**2 + (2 * zeta * Omega) ** 2) / bottom)
-    assert np.allclose(found.transmissibility, absolute, rtol=1e-12, atol=0)
-    # A/Y is greatest at Omega^2 = alpha^2/(alpha - 2 zeta^2)
-    top = osc.peak(Y)
-    at = alpha / math.sqrt(alpha - 2 * zeta**2)
-    assert top.Omega == pytest.approx(at, rel=1e-14)
-    assert top.A == pytest.approx(Y * at**2 / math.sqrt((alpha - at**2) ** 2 + (2 * zeta * at) ** 2), rel=1e-14)
-    assert len(osc.saddle_nodes(Y)) == 0
-    assert osc.saddle_node_onset().F_SN is None
 
 
 def test_curve_holds_the_level_and_ends_where_it_must():

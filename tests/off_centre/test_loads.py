@@ -182,25 +182,22 @@ def test_where_the_mass_sticks_there_is_no_isolation():
 # ---- a load spectrum -----------------------------------------------------------------------------------------------
 
 
-def test_a_load_spectrum_says_of_each_row_what_its_states_say():
-    iso = isolator()
-    Omega, F_0 = [0.7, 0.93, 1.2, 0.9, 0.9], [0.04, 0.04, 0.04, 0.04, 0.012]
-    found = iso.spectrum(Omega=Omega, F_0=F_0)
-    for row, O, F in zip(found, Omega, F_0, strict=True):
-        states = iso.amplitudes(Omega=O, F_0=F)
-        stable = states.A[states.stable]
-        assert (row.Omega, row.F_0, row.motions, row.sticks) == (O, F, np.count_nonzero(stable), F == 0.012)
-        assert row.A == stable.max(initial=0) and row.detaches == (row.A > iso.u_cr)
-    assert found.motions.tolist() == [1, 2, 1, 2, 0] and found.transmissibility_dB[-1] == 0
-
-
-def test_row_crosses_a_fold_between_it_and_the_row_before():
-    iso = isolator()
-    low, high = iso.saddle_nodes(0.04).Omega.tolist()
-    Omega = [0.5, 0.8, 0.5 * (low + high), 0.95, 1.2, 1.3, 0.6]
-    found = iso.spectrum(Omega=Omega, F_0=0.04)
-    between = [any(min(a, b) < fold < max(a, b) for fold in (low, high)) for a, b in pairwise(Omega)]
-    assert found.crosses.tolist() == [False, *between]
+@pytest.mark.parametrize("load", [0.0, 0.03])
+def test_load_spectrum_rows_say_what_states_and_folds_say(load):
+    iso = isolator(load=load)
+    Omega, F_0 = [0.5, 0.7, 0.95, 1.2, 0.6, 0.93, 0.9], [*[0.04] * 6, 0.012]
+    found, folds = iso.spectrum(Omega=Omega, F_0=F_0), iso.saddle_nodes(0.04).Omega
+    for row, at, F in zip(found, Omega, F_0, strict=True):
+        states = iso.amplitudes(Omega=at, F_0=F)
+        in_motion = states.stable & (states.A > 0)
+        A, mean = states.A[in_motion], states.B[in_motion] if load else 0.0
+        assert (row.Omega, row.F_0, row.motions, row.sticks) == (at, F, A.size, F == 0.012)
+        assert row.A == A.max(initial=0.0) and row.detaches == bool((np.abs(mean) + A > iso.u_cr).any())
+    between = [bool(((folds > min(way)) & (folds < max(way))).any()) for way in pairwise(Omega[:6])]
+    assert found.crosses[:6].tolist() == [False, *between] and {*between} == {*found.detaches.tolist()} == {True, False}
+    assert found.motions.tolist()[3:] == [1, 1, 2, 0] and found.transmissibility_dB[-1] == 0
+    stuck = iso.spectrum(Omega=0.9, F_0=0.012)
+    assert (stuck[0].A, stuck[0].motions, stuck[0].sticks) == (0.0, 0, True) and "sticks" in stuck.message
 
 
 def test_fold_of_a_narrow_band_is_crossed():

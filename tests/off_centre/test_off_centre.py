@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import itertools
 import math
 import pickle
 import re
@@ -844,21 +843,6 @@ def test_rows_of_many_forcings_cross_folds_as_pairs_do():
     crosses = loaded.spectrum(Omega=Omega, F_0=F_0).crosses[1:]
     pairs = [loaded.spectrum(Omega=Omega[k : k + 2], F_0=F_0[k : k + 2]).crosses[1] for k in range(4)]
     assert crosses.tolist() == pairs and any(pairs) and not all(pairs)
-
-
-def test_spectrum_under_a_load_says_what_states_and_folds_say(loaded):
-    Omega = [0.5, 0.7, 0.95, 1.2, 0.6]
-    found, folds = loaded.spectrum(Omega=Omega, F_0=0.04), loaded.saddle_nodes(0.04).Omega
-    for row, at in zip(found, Omega, strict=True):
-        states = loaded.amplitudes(Omega=at, F_0=0.04)
-        A, B = states.A[states.stable], states.B[states.stable]
-        assert (row.motions, row.A, row.sticks) == (A.size, A.max(), False)
-        assert row.detaches == bool((np.abs(B) + A > loaded.u_cr).any())
-    between = [bool(((folds > min(way)) & (folds < max(way))).any()) for way in itertools.pairwise(Omega)]
-    assert found.crosses.tolist() == [False, *between] and found.motions.tolist() == [1, 1, 2, 1, 1]
-    assert set(between) == set(found.detaches.tolist()) == {True, False}
-    stuck = loaded.spectrum(Omega=0.9, F_0=0.012)
-    assert (stuck[0].A, stuck[0].motions, stuck[0].sticks) == (0.0, 0, True) and "sticks" in stuck.message
 
 
 @pytest.mark.slow

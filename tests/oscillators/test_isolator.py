@@ -160,28 +160,6 @@ def test_a_rod_past_vertical_is_said():
 # ---- closed forms and properties ------------------------------------------------------------------------------------
 
 
-def test_linear_viscous_oscillator_is_the_textbook_one():
-    w = np.linspace(0.05, 1.9, 60)
-    states = Duffing(1.0, 0.0, 0.0, 0.1).amplitudes(Omega=w, F_0=0.3)
-    stiffness, transmitted = np.hypot(1 - w**2, 0.2 * w), np.hypot(1, 0.2 * w)  # dynamic; the force on the base
-    assert np.allclose(states.A, 0.3 / stiffness, rtol=1e-14)
-    np.testing.assert_allclose(states.transmissibility, transmitted / stiffness, rtol=1e-14)
-    np.testing.assert_allclose(
-        states.transmissibility_dB, 20 * np.log10(transmitted / stiffness), rtol=1e-13, atol=1e-14
-    )
-    assert np.allclose(states.phi, -np.arctan2(0.2 * w, 1 - w**2), rtol=1e-13)
-    assert states.stable.all()
-
-
-def test_linear_oscillator_with_friction_solves_its_quadratic():
-    """alpha = 1, beta = 0: A^2 [(1 - w^2)^2 + 4 zeta^2 w^2] + 4 zeta w m A + m^2 - F_0^2 = 0."""
-    w, zeta, mu, F_0 = np.linspace(0.3, 1.7, 40), 0.05, 0.1, 0.3
-    m = 4 * mu / np.pi
-    a, b, c = (1 - w**2) ** 2 + (2 * zeta * w) ** 2, 4 * zeta * w * m, m**2 - F_0**2
-    expected = -2 * c / (b + np.sqrt(b * b - 4 * a * c))
-    assert np.allclose(Duffing(1.0, 0.0, mu, zeta).amplitudes(Omega=w, F_0=F_0).A, expected, rtol=1e-13)
-
-
 def test_duffing_backbone_and_onset_tend_to_their_closed_forms():
     """Weak damping: with Omega = 1 + s, F = 4 A^2 [(s - 3/8 beta A^2)^2 + zeta^2], whose cusp is elementary."""
     beta, zeta = 0.5, 1e-5
