@@ -9,7 +9,7 @@ import pytest
 from slowflow import Duffing, Isolator
 from slowflow.answers.physical_answers import Many
 from slowflow.answers.quantities import EXCITED, ManyScales
-from slowflow.answers.table import COLUMNS, QUESTIONS, SECOND
+from slowflow.answers.table import COLUMNS, QUESTIONS, SECOND, SameColumns
 from slowflow.averaged.many import CODED
 from slowflow.oscillators.physical_designs import ManyQuantities, PhysicalDesigns
 from slowflow_kernels.conventions import FoldKind, Status
@@ -181,7 +181,7 @@ def test_frequencies_that_look_like_rpm_are_told():
 
 def test_every_column_in_si_units_has_a_type():
     """Those of the table, whatever is excited, and what is computed when it is read."""
-    declared = {*Many.__annotations__, "F", "Y", "a", "U"}
+    declared = {*Many.__annotations__, *SameColumns.__annotations__, "F", "Y", "a", "U"}
     for excitation in EXCITED:
         scales = ManyScales(m=1.0, k_v=1.0, L=1.0, excitation=excitation)
         columns = {

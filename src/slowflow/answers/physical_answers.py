@@ -15,7 +15,7 @@ import numpy.typing as npt
 
 from slowflow.answers.quantities import Quantities
 from slowflow.answers.results import Remark
-from slowflow.answers.table import Codes, Counts, Sizes
+from slowflow.answers.table import SameColumns
 from slowflow.core.mechanism import Array, Flags, Floats, Ints
 
 Strings = npt.NDArray[np.str_]
@@ -228,7 +228,7 @@ class Certificate(Quantities):
     amplitudes: Quantities | None
 
 
-class Many(Excited[Floats]):
+class Many(SameColumns, Excited[Floats]):
     """Of each question about many mounts: arrays of their shape, some with an additional axis."""
 
     F_SN: Floats
@@ -239,8 +239,6 @@ class Many(Excited[Floats]):
     Y_cr: Floats
     a_cr: Floats
     U_cr: Floats
-    of_SN: Floats
-    of_cr: Floats
     f: Floats
     f_0: Floats
     f_cr: Floats
@@ -250,53 +248,11 @@ class Many(Excited[Floats]):
     f_sticks: Floats
     f_e: Floats
     fold_f: Floats
-    fold_A: Floats
-    A: Floats
-    A_1: Floats
-    B: Floats
     x: Floats
     x_cr: Floats
     x_max: Floats
     x_end: Floats
     x_rms: Floats
-    v_rms: Floats
-    a_rms: Floats
-    a_max: Floats
     t_A: Floats
     t_a: Floats
     t_detaches: Floats
-    phi: Floats
-    transmissibility: Floats
-    transmissibility_dB: Floats
-    ratio: Floats
-    ratio_e: Floats
-    k_0: Floats
-    stiffness: Floats
-    damping: Floats
-    dry: Floats
-    beyond: Floats
-    crossing_rate: Floats
-    break_loose: Floats
-    rests_within: Floats
-    sticking: Floats
-    kind: Codes
-    fold_kind: Codes
-    stable: Codes
-    at_rest: Codes
-    at_fold: Codes
-    onset: Codes
-    folds: Codes
-    motions: Codes
-    crosses: Codes
-    detaches: Codes
-    sticks: Codes
-    rests: Codes
-    stands: Codes
-    branch: Sizes
-    isola: Codes
-    points: Counts
-    count: Codes
-    proved: Codes
-    bits: Sizes
-    undecided: Codes
-    status: Codes

@@ -70,40 +70,22 @@ def _column(text: str, kind: str = "", si: str = "", none: int = 0) -> Any:
     return Column("", text, kind, si, none=none)
 
 
-class Columns:
-    """The columns of answers about many designs, common to all questions; a type checker has their types from here."""
+class SameColumns:
+    """The columns that have the same name in SI units."""
 
-    F_0: Floats = _column("forcing, the amplitude of the excitation", "amplitude")
-    F_SN: Floats = _column("lowest forcing that has a fold (33)", "amplitude")
-    F_cr: Floats = _column("lowest forcing that reaches u_cr (34)", "amplitude")
-    Omega: Floats = _column("frequency", "frequency", "f")
-    Omega_cr: Floats = _column("frequency at which it is reached", "frequency", "f_cr")
-    Omega_max: Floats = _column("frequency of the largest displacement", "frequency", "f_max")
-    Omega_low: Floats = _column("lower end of a band with several stable motions", "frequency", "f_low")
-    Omega_high: Floats = _column("upper end of that band", "frequency", "f_high")
-    Omega_0: Floats = _column("natural frequency of small motions about the centre", "frequency", "f_0")
-    Omega_sticks: Floats = _column("frequency up to which the mass sticks", "frequency", "f_sticks")
-    Omega_undecided: Floats = _column("frequencies at which the count is undecided", "frequency", "f_undecided")
     jumps: Floats = _column("frequencies before and after each jump", "frequency")
     A: Floats = _column("amplitude; in the second approximation the largest displacement", "length")
     A_1: Floats = _column("amplitude of the fundamental harmonic", "length")
     A_max: Floats = _column("largest amplitude searched", "length")
     B: Floats = _column("mean displacement of a motion", "length")
-    u_max: Floats = _column("largest |u|", "length", "x_max")
-    u_cr: Floats = _column("amplitude at which the springs detach", "length", "x_cr")
-    u: Floats = _column("equilibrium position", "length", "x")
-    u_end: Floats = _column("final displacement", "length", "x_end")
     rests_within: Floats = _column("distance from the centre within which friction holds the mass", "length")
     doubt: Floats = _column("intervals of amplitude left undecided", "length")
-    u_rms: Floats = _column("root mean square of the displacement about its mean", "length", "x_rms")
     v_rms: Floats = _column("root mean square of the velocity", "speed")
     a_rms: Floats = _column("root mean square of the absolute acceleration", "acceleration")
     B_margin: Floats = _column("half the 95 % confidence interval of B", "length")
-    u_margin: Floats = _column("half the 95 % confidence interval of u_rms", "length", "x_margin")
     v_margin: Floats = _column("half the 95 % confidence interval of v_rms", "speed")
     a_margin: Floats = _column("half the 95 % confidence interval of a_rms", "acceleration")
     S_0: Floats = _column("two-sided spectral density of white noise")
-    Omega_e: Floats = _column("natural frequency of the equivalent linear oscillator", "frequency", "f_e")
     damping: Floats = _column("damping of the equivalent linear oscillator", "damping")
     ratio_e: Floats = _column("damping ratio of the equivalent linear oscillator")
     dry: Floats = _column("fraction of that damping due to dry friction")
@@ -114,10 +96,6 @@ class Columns:
     base: Floats = _column("acceleration of the base", "acceleration")
     a_max: Floats = _column("largest acceleration of the mass", "acceleration")
     acceleration: Floats = _column("acceleration of the base, over k_v L/m", "acceleration")
-    tau: Floats = _column("times of the samples of a record", "time", "t")
-    tau_A: Floats = _column("time of the largest deflection", "time", "t_A")
-    tau_a: Floats = _column("time of the largest acceleration", "time", "t_a")
-    tau_detaches: Floats = _column("time at which the springs first detach", "time", "t_detaches")
     duration: Floats = _column("duration of a half sine", "time")
     period: Floats = _column("period of a motion", "time")
     k_0: Floats = _column("stiffness at the centre", "stiffness")
@@ -148,7 +126,6 @@ class Columns:
     branch: Sizes = _column("number of the connected curve, from 0; -1 after the last point", none=-1)
     isola: Codes = _column("1 where that curve is closed")
     points: Counts = _column("number of points")
-    fold_Omega: Floats = _column("frequency of a fold", "frequency", "fold_f")
     fold_A: Floats = _column("amplitude of a fold", "length")
     fold_kind: Codes = _column("kind of fold")
     count: Codes = _column("number of entries, also where these exceed places, or number proved")
@@ -156,12 +133,41 @@ class Columns:
     bits: Sizes = _column("bits of the proof: 53 for intervals of doubles, more for balls")
     undecided: Codes = _column("1 where neither double precision nor ball arithmetic decides the count")
     status: Codes = _column("status code: whether there is an answer, or why there is none")
+
+
+class Columns(SameColumns):
+    """The columns of answers about many designs, common to all questions; a type checker has their types from here."""
+
+    F_0: Floats = _column("forcing, the amplitude of the excitation", "amplitude")
+    F_SN: Floats = _column("lowest forcing that has a fold (33)", "amplitude")
+    F_cr: Floats = _column("lowest forcing that reaches u_cr (34)", "amplitude")
+    Omega: Floats = _column("frequency", "frequency", "f")
+    Omega_cr: Floats = _column("frequency at which it is reached", "frequency", "f_cr")
+    Omega_max: Floats = _column("frequency of the largest displacement", "frequency", "f_max")
+    Omega_low: Floats = _column("lower end of a band with several stable motions", "frequency", "f_low")
+    Omega_high: Floats = _column("upper end of that band", "frequency", "f_high")
+    Omega_0: Floats = _column("natural frequency of small motions about the centre", "frequency", "f_0")
+    Omega_sticks: Floats = _column("frequency up to which the mass sticks", "frequency", "f_sticks")
+    Omega_undecided: Floats = _column("frequencies at which the count is undecided", "frequency", "f_undecided")
+    u_max: Floats = _column("largest |u|", "length", "x_max")
+    u_cr: Floats = _column("amplitude at which the springs detach", "length", "x_cr")
+    u: Floats = _column("equilibrium position", "length", "x")
+    u_end: Floats = _column("final displacement", "length", "x_end")
+    u_rms: Floats = _column("root mean square of the displacement about its mean", "length", "x_rms")
+    u_margin: Floats = _column("half the 95 % confidence interval of u_rms", "length", "x_margin")
+    Omega_e: Floats = _column("natural frequency of the equivalent linear oscillator", "frequency", "f_e")
+    tau: Floats = _column("times of the samples of a record", "time", "t")
+    tau_A: Floats = _column("time of the largest deflection", "time", "t_A")
+    tau_a: Floats = _column("time of the largest acceleration", "time", "t_a")
+    tau_detaches: Floats = _column("time at which the springs first detach", "time", "t_detaches")
+    fold_Omega: Floats = _column("frequency of a fold", "frequency", "fold_f")
     remarks: Sums = _column("diagnostics of the answer, codes that add up")
 
 
 def _columns() -> Iterator[tuple[str, Column]]:
     """The columns by name; what an array of each holds its annotation says."""
-    for name, kind in Columns.__annotations__.items():  # names of this module; to evaluate them takes 1 ms
+    kinds = Columns.__annotations__ | SameColumns.__annotations__  # names of this module; to evaluate them takes 1 ms
+    for name, kind in kinds.items():
         (of,) = get_args(get_args(globals()[kind])[1])
         yield name, getattr(Columns, name)._replace(name=name, type=float if of is np.float64 else of)
 

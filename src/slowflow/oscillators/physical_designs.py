@@ -18,7 +18,6 @@ import numpy.typing as npt
 
 from slowflow.answers.answer import frozen, same
 from slowflow.answers.gradient import Gradient
-from slowflow.answers.physical_answers import Many
 from slowflow.answers.quantities import BASE, SHEET, SI, ManyScales, Quantities, Scales, si
 from slowflow.answers.table import QUANTITIES, QUESTIONS, ManyQuestions, Question
 from slowflow.averaged.batches import Batch, in_dataset, in_rows, spanned
@@ -33,7 +32,7 @@ if TYPE_CHECKING:
 
     from matplotlib.axes import Axes
 
-    from slowflow.answers.physical_answers import Amplitude, Number, Numbers, Window
+    from slowflow.answers.physical_answers import Amplitude, Many, Number, Numbers, Window
     from slowflow.oscillators.measurements import Columns
 
     # the questions as a type checker knows them: `_asked` makes them of the table, which refuses further options
@@ -74,7 +73,8 @@ if TYPE_CHECKING:
         def __call__(
             self, *, psd: tuple[Numbers, Numbers] | Columns, unit: str = "g^2/Hz", places: int = 3, workers: int = 1
         ) -> ManyQuantities: ...
-
+else:  # whose columns are read by name
+    Many = object
 
 #: data that are the same for all mounts
 SETTINGS = ("mounts", "contact", "force", "excitation")
