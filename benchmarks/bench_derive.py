@@ -66,5 +66,5 @@ def measure() -> list[dict[str, Any]]:
             for _ in range(2):
                 with tempfile.TemporaryDirectory() as folder:
                     measured = fresh(code, PYTHONPYCACHEPREFIX=bytecode, SLOWFLOW_DERIVED=folder)
-            found.append({"force": name, "how": "compiled" if compiled else "NumPy", **measured})
+            found.append({"force": name, "how": "compiled" if compiled else "interpreted", **measured})
     return found

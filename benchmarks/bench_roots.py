@@ -14,12 +14,12 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from benchmarks import acm1010, boost
+from benchmarks import quartics
 from benchmarks.remote import medians
 from slowflow.core.backend import SOLVER
 from tests.oracles.frequencies import U, relative_error, roots, stress_cases
 
-OURS, BOOST, ACM = "installed", "Boost.Math", "ACM Algorithm 1010"
+OURS = "installed"
 FAMILIES = ("mild", "F_0 << |h|", "near tangent", "three roots")
 SEED = 3
 Method = Callable[[np.ndarray], np.ndarray]
@@ -91,11 +91,10 @@ def measure(count: int, rounds: int) -> dict[str, dict[str, Result]]:
     }
     found: dict[str, dict[str, Result]] = {}
     with tempfile.TemporaryDirectory() as folder:
-        others = {BOOST: boost.build(Path(folder)), ACM: acm1010.build(Path(folder))}
-        methods |= {name: solve for name, solve in others.items() if solve is not None}
-        quartics = stress_cases("response", count, SEED)
+        methods |= quartics.build(Path(folder))
+        cases = stress_cases("response", count, SEED)
         for family in FAMILIES:
-            rows = np.ascontiguousarray(quartics[family])
+            rows = np.ascontiguousarray(cases[family])
             certified = [roots("response", tuple(map(float, row))) for row in rows]
             seconds = medians({name: partial(method, rows) for name, method in methods.items()}, rounds)
             for name, method in methods.items():

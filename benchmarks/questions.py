@@ -20,6 +20,7 @@ from mpmath import mpf, workdps
 from benchmarks import bench_exact, bench_kernels, bench_roots, certified, footprint
 from benchmarks.document import Row, quantity
 from benchmarks.jobs import random_designs
+from benchmarks.quartics import ACM, BOOST
 from benchmarks.remote import ROOT, Remote, in_turn
 from slowflow import example
 from slowflow.example import isolator
@@ -93,10 +94,7 @@ def quartics(size: Size) -> list[Row]:
     ours, total = found.pop(bench_roots.OURS), size.quartics * len(bench_roots.FAMILIES)
     error, count = max(result.error for result in ours.values()), sum(result.wrong for result in ours.values())
     check(count == 0 and error <= 1, job)
-    others = {
-        name: f"{name} {spread(name, ' to ')}, {wrong(name)}" if name in found else None
-        for name in (bench_roots.BOOST, bench_roots.ACM)
-    }
+    others = {name: f"{name} {spread(name, ' to ')}, {wrong(name)}" if name in found else None for name in (BOOST, ACM)}
     slowest = max(result.seconds for result in ours.values())
     title = f"{job}, slowest of {len(ours)} families"
     rows = [Row(title, slowest, "s", "", f"{error:.2g} u(1+κ), {count} wrong counts", others)]

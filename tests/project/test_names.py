@@ -91,7 +91,7 @@ def test_names_that_are_gone_do_not_return(room, public):
         assert not {name: GONE[name] for name in names & GONE.keys() - kept}, path
 
 
-@pytest.mark.parametrize("room", ["benchmarks", "src/slowflow/native", "tests/native"])
+@pytest.mark.parametrize("room", ["src/slowflow/native", "tests/native"])
 def test_names_that_are_gone_do_not_return_in_c(room):
     """Whole identifiers, but in comments and strings."""
     for path in sorted((ROOT / room).rglob("*.[ch]")):
