@@ -57,8 +57,6 @@ def test_cusps_are_those_of_a_force_at_the_certified_level():
     assert compared > 30
 
 
-
-
 def test_every_state_of_a_fine_grid_of_amplitudes_is_found():
     rng = np.random.default_rng(20)
     A = np.concatenate((np.geomspace(1e-6, 1e3, 100001), [0.0]))[:-1]
