@@ -5,7 +5,7 @@ Out: `judged`, one `Judged` for each formula and sentence. What a publication gi
      called wrong: what it stands for is certified, and the error is told.
 
 A file has `formulas(derived)`, for each function's name what judges it, and `claims(derived)`, for each sentence's id
-its verdict and evidence.
+its verdict and evidence; where nothing is stated, neither.
 """
 
 from __future__ import annotations
@@ -24,7 +24,8 @@ from ...kernels import Formulas
 from ...library import stated
 from ...mechanisms import duffing
 from ...paper.averaging import Averaged, averaged
-from ...paper.slow_flow import slow_flow
+from ...paper.slow_flow import I, R, slow_flow
+from ...symbols import h
 from ..formulas import DIFFERENCE, Reading, Subject
 from ..judging import judge
 from ..literature import Publication
@@ -79,9 +80,17 @@ class Derived:
         return slow_flow(self.averaged).friction
 
     @functools.cached_property
-    def duffing(self) -> OfMechanism:
-        """The oscillator with a cubic term."""
+    def _duffing(self) -> OfMechanism:
         return of_mechanism(duffing.MECHANISM)
+
+    def cubic(self, linear: Any, cubic: Any) -> sp.Expr:
+        """h of the oscillator with a cubic term, with these coefficients."""
+        names = self._duffing.oscillator.definitions
+        return self._duffing.whole.regimes[0].derivatives[0].subs(dict(zip(names, (linear, cubic), strict=True)))
+
+    def response(self, average: sp.Expr) -> sp.Expr:
+        """F (24) without friction, with this h."""
+        return self.flow.F.subs({R: self.flow.R, I: self.flow.I}).subs(h, average)
 
     @functools.cache  # noqa: B019 - as long as this object
     def library(self, name: str) -> OfMechanism:
@@ -155,8 +164,8 @@ class Verdicts:
 def judged(publication: Publication, derived: Derived) -> Verdicts:
     """Every formula and sentence, in the publication's order. Call it at the ledger's precision."""
     against = importlib.import_module(f"{__name__}.{publication.name}")
-    judges: dict[str, Judge] = against.formulas(derived)
-    claims: Claims = against.claims(derived)
+    judges: dict[str, Judge] = against.formulas(derived) if publication.formulas else {}
+    claims: Claims = against.claims(derived) if publication.claims else {}
     names, ids = [f.name for f in publication.formulas], [claim.id for claim in publication.claims]
     if set(judges) != set(names) or set(claims) != set(ids):
         raise ArithmeticError(

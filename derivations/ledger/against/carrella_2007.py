@@ -7,7 +7,6 @@ and the force is gamma times that of the mechanism.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from fractions import Fraction
 from types import SimpleNamespace
 from typing import Any
 
@@ -15,7 +14,7 @@ import sympy as sp
 from flint import arb
 
 from ...symbols import u
-from ..balls import evaluate, isolate, rational, rounded, significant
+from ..balls import ball, evaluate, isolate, rounded, significant
 from ..proofs import canonical
 from ..rows import FALSE, LOOSE, TRUE
 from . import Claims, Derived, Judge, approximates, equal, solves, value
@@ -76,10 +75,6 @@ def _best(stiffness: arb) -> arb:
     return found
 
 
-def _ball(decimal: str) -> arb:
-    return arb(rational(Fraction(decimal)))
-
-
 def formulas(derived: Derived) -> dict[str, Judge]:
     """Force, stiffness, conditions, excursion, and the approximations."""
     rest = sp.sqrt(1 - gamma**2)
@@ -97,7 +92,7 @@ def formulas(derived: Derived) -> dict[str, Judge]:
         exact = force.subs(alpha, of_gamma)
 
         def error(fraction: str) -> str:
-            at = {gamma: two_thirds, y_hat: two_thirds * _ball(fraction)}
+            at = {gamma: two_thirds, y_hat: two_thirds * ball(fraction)}
             return f"{significant(evaluate(published, at) / evaluate(exact, at) - 1, 2)} at {fraction} γ"
 
         return _summary(published - cubic, "cubic of the mechanism", map(error, ("0.1", "0.25", "0.5")))
@@ -106,15 +101,15 @@ def formulas(derived: Derived) -> dict[str, Judge]:
         published = value(function, {"y_hat": y_hat, "gamma": gamma})
 
         def error(K: str) -> str:
-            at = {gamma: two_thirds, y_hat: _excursion(_ball(K), two_thirds)}
-            return f"{significant(evaluate(published, at) / _ball(K) - 1, 2)} where it is {K}"
+            at = {gamma: two_thirds, y_hat: _excursion(ball(K), two_thirds)}
+            return f"{significant(evaluate(published, at) / ball(K) - 1, 2)} where it is {K}"
 
         return _summary(published - sp.diff(cubic, y_hat), "slope of the cubic", map(error, ("0.1", "0.5", "1")))
 
     def of_geometry(function: Callable[..., Any]) -> str:
         def error(K: str) -> str:
-            published, best = function(K_o=_ball(K), xp=BALLS), _best(_ball(K))
-            lost = 1 - _excursion(_ball(K), published) / _excursion(_ball(K), best)
+            published, best = function(K_o=ball(K), xp=BALLS), _best(ball(K))
+            lost = 1 - _excursion(ball(K), published) / _excursion(ball(K), best)
             return f"{significant(published / best - 1, 2)} at K_o = {K} (excursion lower by {significant(lost, 2)})"
 
         return f"Relative error: {', '.join(map(error, ('0.1', '0.5', '0.9')))}."
@@ -150,7 +145,7 @@ def claims(derived: Derived) -> Claims:
     slope = sp.diff(quasi_zero, y_hat)
     positive = 3 * gamma**3 / ((1 - gamma) * sp.sqrt(gamma**2 + y_hat**2) ** 5)
     rises = canonical(slope - y_hat * positive).is_zero
-    least, most = (_best(_ball(K)).acos() * 180 / arb.pi() for K in ("0.001", "1"))
+    least, most = (_best(ball(K)).acos() * 180 / arb.pi() for K in ("0.001", "1"))
     agree = (rounded(least, 0), rounded(most, 0)) == ("48", "57")
     linear = _at_rest(derived)
     unique = len(sp.solve(linear, alpha)) == len(sp.solve(linear, gamma)) == 1

@@ -6,7 +6,7 @@ import sympy as sp
 
 from ...symbols import A, mu
 from ..formulas import in_angle
-from . import Claims, Derived, Judge, equal
+from . import Derived, Judge, equal
 
 #: sin t = delta/A at the breakpoint delta
 t = sp.Symbol("t", positive=True)
@@ -41,8 +41,3 @@ def formulas(derived: Derived) -> dict[str, Judge]:
             remark="A bilinear spring without stiffness beyond its breakpoint.",
         ),
     }
-
-
-def claims(derived: Derived) -> Claims:
-    """None."""
-    return {}

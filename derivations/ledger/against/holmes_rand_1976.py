@@ -7,25 +7,20 @@ from typing import Any
 
 import sympy as sp
 
-from ...paper.slow_flow import I, R
-from ...symbols import F_0, A, Omega, h, zeta
+from ...symbols import F_0, A, Omega, zeta
 from ..proofs import canonical
 from ..rows import DIFFERS, LOOSE
-from . import Claims, Derived, Judge, Judged, equal, plain, value
+from . import Derived, Judge, Judged, equal, plain, value
 
 beta = sp.Symbol("beta", real=True)
 
 
 def formulas(derived: Derived) -> dict[str, Judge]:
     """The polynomial, and the phase."""
-    flow, of = derived.flow, derived.duffing
-    linear, cubic = of.oscillator.definitions
-    average = of.whole.regimes[0].derivatives[0].subs({linear: 1, cubic: beta})
-    response = flow.F.subs({R: flow.R, I: flow.I}).subs(h, average)
 
     def phase(function: Callable[..., Any]) -> Judged:
         published = value(function, {"A": A, "sigma": 2 * zeta * Omega, "phi": F_0})
-        difference = canonical(sp.sin(published) + flow.I / F_0)
+        difference = canonical(sp.sin(published) + derived.flow.I / F_0)
         shown = "sin φ = −I/F_0, cos φ = −R/F_0"
         if not difference.is_zero:
             return Judged(DIFFERS, plain(function), shown, f"of the sines: {difference.text()}")
@@ -39,14 +34,9 @@ def formulas(derived: Derived) -> dict[str, Judge]:
 
     return {
         "amplitude_polynomial": equal(
-            16 * response,
+            16 * derived.response(derived.cubic(1, beta)),
             {"y": A**2, "alpha": beta, "rho": 1 - Omega**2, "sigma": 2 * zeta * Omega, "phi": F_0},
             rewriting="y = A², ρ = 1 − Ω², σ = 2ζΩ; it is 16 F of (24)",
         ),
         "phase": phase,
     }
-
-
-def claims(derived: Derived) -> Claims:
-    """None."""
-    return {}

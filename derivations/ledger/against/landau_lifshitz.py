@@ -7,15 +7,12 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from fractions import Fraction
 from typing import Any
 
 import sympy as sp
-from flint import arb
 
-from ...paper.slow_flow import I, R
 from ...symbols import F_0, A, Omega, h, zeta
-from ..balls import evaluate, rational, significant
+from ..balls import ball, evaluate, significant
 from ..proofs import canonical
 from ..rows import TRUE
 from . import Claims, Derived, Judge, approximates, value
@@ -37,20 +34,17 @@ class Onset:
 
 def onset(derived: Derived) -> Onset:
     """In closed form, by elimination; ArithmeticError unless it is proved to be a solution."""
-    flow, of = derived.flow, derived.duffing
-    linear, cubic = of.oscillator.definitions
+    average = derived.cubic(1, beta)
     y = sp.Symbol("y", positive=True)
-    average = of.whole.regimes[0].derivatives[0].subs({linear: 1, cubic: beta})
-    response = (flow.F.subs({R: flow.R, I: flow.I}) + F_0**2).subs(h, average)
     # the square of the forcing as a function of y = A^2: at the onset its first two derivatives vanish
-    level = sp.expand(sp.expand(response).subs(A, sp.sqrt(y)))
+    level = sp.expand(sp.expand(derived.response(average) + F_0**2).subs(A, sp.sqrt(y)))
     (at,) = sp.solve(sp.diff(level, y, 2), y)
     slope = sp.factor(sp.diff(level, y).subs(y, at))
     # the slope's zeros have Omega^2 - 1 = +-2 sqrt(3) zeta Omega; with - the square of the amplitude is negative
     frequency = sp.sqrt(3) * zeta + sp.sqrt(1 + 3 * zeta**2)
     if not canonical(slope.subs(Omega, frequency)).is_zero:
         raise ArithmeticError("the onset in closed form is none")
-    backbone = flow.backbone.subs(h, average)
+    backbone = derived.flow.backbone.subs(h, average)
     kappa = sp.diff(backbone.subs(A, sp.sqrt(y)), y).subs(y, 0)
     amplitude = sp.factor(at)
     force = sp.factor(level.subs(y, at).subs(zeta, (Omega**2 - 1) / (2 * sp.sqrt(3) * Omega)))
@@ -96,7 +90,7 @@ def formulas(derived: Derived) -> dict[str, Judge]:
 
 def _error(quotient: sp.Expr, damping: str) -> str:
     """Its relative error at a damping ratio, beta = 1: none of the quotients has beta."""
-    found = evaluate(quotient.subs(beta, 1), {zeta: arb(rational(Fraction(damping)))}) - 1
+    found = evaluate(quotient.subs(beta, 1), {zeta: ball(damping)}) - 1
     return significant(found, 2)
 
 

@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import csv
 from collections import defaultdict
-from fractions import Fraction
 from pathlib import Path
 
 import sympy as sp
@@ -20,9 +19,9 @@ from ...claims import claim
 from ...paper.den_hartog import U, V, den_hartog
 from ...symbols import F_0, A, Omega, mu, tau
 from .. import literature
-from ..balls import evaluate, rational, rounded
+from ..balls import ball, evaluate, rounded
 from ..rows import FALSE, TRUE
-from . import Claims, Derived, Judge
+from . import Claims, Derived
 
 MEASURED = Path(literature.__file__).parent / "marino_cicirello_2020.csv"
 #: standard errors by which a mean of measured phases may be off: by chance one of eight is in 1 of 20 cases
@@ -43,11 +42,6 @@ def lags(derived: Derived) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
     return harmonic.subs(known).subs(known), averaged, sp.atan2(q, p).subs(known).subs(known)
 
 
-def formulas(derived: Derived) -> dict[str, Judge]:
-    """None."""
-    return {}
-
-
 def claims(derived: Derived) -> Claims:
     """How far off the phases are, nothing being fitted, and how far they scatter."""
     of_lag = lags(derived)
@@ -56,7 +50,7 @@ def claims(derived: Derived) -> Claims:
     off: tuple[list[arb], ...] = ([], [], [])
     groups: dict[tuple[str, bool], list[arb]] = defaultdict(list)
     for row in rows:
-        beta, at, seen = (arb(rational(Fraction(row[name]))) for name in ("beta", "Omega", "phase_deg"))
+        beta, at, seen = (ball(row[name]) for name in ("beta", "Omega", "phase_deg"))
         for errors, lag in zip(off, of_lag, strict=True):
             errors.append(evaluate(lag, {F_0: arb(1), mu: beta, Omega: at}) * 180 / arb.pi() - seen)
         groups[row["beta"], at > 1].append(off[0][-1])

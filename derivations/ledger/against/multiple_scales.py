@@ -3,19 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from fractions import Fraction
 from typing import Any
 
 import sympy as sp
 from flint import acb, arb
 
 from ...paper.averaging import H
-from ...paper.slow_flow import I, R
 from ...symbols import F_0, A, Omega, h, phi
 from ...symbols import mu as friction
 from ...symbols import sigma as of_Omega
 from ...symbols import zeta as ratio
-from ..balls import evaluate, rational, significant
+from ..balls import ball, evaluate, significant
 from ..proofs import canonical
 from ..rows import FALSE, LOOSE, TRUE
 from . import Claims, Derived, Judge, approximates, equal, value
@@ -29,11 +27,14 @@ BENDS = ("0.01", "0.1", "1")
 
 def _scaled(derived: Derived) -> dict[sp.Symbol, sp.Expr]:
     """The derivation's symbols in those of the article."""
-    of = derived.duffing
-    linear, cubic = of.oscillator.definitions
-    average = of.whole.regimes[0].derivatives[0].subs({linear: omega_0**2, cubic: epsilon * alpha})
     # zeta stands beside Omega: 2 zeta u' is 2 epsilon mu x'
-    return {h: average, ratio: epsilon * mu, F_0: epsilon * F, phi: -gamma, friction: sp.Integer(0)}
+    return {
+        h: derived.cubic(omega_0**2, epsilon * alpha),
+        ratio: epsilon * mu,
+        F_0: epsilon * F,
+        phi: -gamma,
+        friction: sp.Integer(0),
+    }
 
 
 def _first_order(expression: sp.Expr) -> sp.Expr:
@@ -49,8 +50,7 @@ def _rates(derived: Derived) -> tuple[sp.Expr, sp.Expr]:
 
 def _response(derived: Derived) -> sp.Expr:
     """F over (2 omega_0 a)^2 at its lowest order, the second."""
-    flow = derived.flow
-    whole = flow.F.subs({R: flow.R, I: flow.I}).subs(_scaled(derived)).subs(Omega, omega_0 + epsilon * sigma)
+    whole = derived.response(h).subs(_scaled(derived)).subs(Omega, omega_0 + epsilon * sigma)
     return sp.expand(sp.diff(whole, epsilon, 2).subs(epsilon, 0) / 2 / (2 * omega_0 * A) ** 2)
 
 
@@ -95,18 +95,15 @@ def formulas(derived: Derived) -> dict[str, Judge]:
 
 def _backbone_error(derived: Derived, function: Callable[..., Any]) -> str:
     """Of the article's frequency and of the averaged one, against the exact one, which is an elliptic integral."""
-    flow, of = derived.flow, derived.duffing
-    linear, cubic = of.oscillator.definitions
     bend = sp.Symbol("bend", positive=True)  # epsilon alpha a^2/omega_0^2
-    average = of.whole.regimes[0].derivatives[0].subs({linear: 1, cubic: bend / A**2})
-    averaged = sp.sqrt(sp.expand(flow.backbone.subs(h, average) ** 2))
+    averaged = sp.sqrt(sp.expand(derived.flow.backbone.subs(h, derived.cubic(1, bend / A**2)) ** 2))
     at = {"a": A, "omega_0": omega_0, "epsilon": epsilon, "alpha": bend * omega_0**2 / (epsilon * A**2)}
     published = sp.cancel(value(function, at) / omega_0)
     if published.free_symbols != {bend}:
         return f"Not of its dimension: over ω₀ it is {sp.sstr(published)}."
     each = []
     for at_bend in BENDS:
-        b = arb(rational(Fraction(at_bend)))
+        b = ball(at_bend)
         exact = arb.pi() * (1 + b).sqrt() / (2 * acb(b / (2 * (1 + b))).elliptic_k().real)
         errors = [significant(evaluate(one, {bend: b}) / exact - 1, 2) for one in (published, averaged)]
         each.append(f"{errors[0]} at εαa²/ω₀² = {at_bend} (averaged, (26): {errors[1]})")

@@ -6,12 +6,10 @@ A harmonic balance with one harmonic is averaging. Its damping ratio is half of 
 from __future__ import annotations
 
 import sympy as sp
-from flint import arb
 
-from ...paper.slow_flow import I, R
-from ...symbols import F_0, A, Omega, h
+from ...symbols import F_0, A, Omega
 from ...symbols import zeta as ratio
-from ..balls import polynomial_zeros, rational, significant
+from ..balls import ball, polynomial_zeros, significant
 from ..formulas import SQUARES
 from ..rows import LOOSE, TRUE
 from . import Claims, Derived, Judge, equal
@@ -24,10 +22,7 @@ LEAST, MOST = 0.1, 3
 
 def _response(derived: Derived) -> sp.Poly:
     """F of (24) in the symbols of the example, by Omega^2."""
-    flow, of = derived.flow, derived.duffing
-    linear, cubic = of.oscillator.definitions
-    average = of.whole.regimes[0].derivatives[0].subs({linear: 1, cubic: gamma})
-    whole = flow.F.subs({R: flow.R, I: flow.I}).subs(h, average).subs({A: a, ratio: zeta / 2, F_0: P})
+    whole = derived.response(derived.cubic(1, gamma)).subs({A: a, ratio: zeta / 2, F_0: P})
     return sp.Poly(whole.subs(Omega, sp.sqrt(square)), square)
 
 
@@ -46,7 +41,7 @@ def claims(derived: Derived) -> Claims:
     """The amplitudes with two frequencies: F, a quadratic in Omega^2, has two positive zeros."""
     quadratic = _response(derived)
     borders = [
-        polynomial_zeros({power: arb(rational(number)) for (power,), number in sp.Poly(part.subs(NUMBERS), a).terms()})
+        polynomial_zeros({power: ball(number) for (power,), number in sp.Poly(part.subs(NUMBERS), a).terms()})
         for part in (quadratic.coeff_monomial(1), sp.cancel(quadratic.discriminant() / a**2))
     ]
     (least,), (most,) = borders
