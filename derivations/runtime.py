@@ -156,7 +156,6 @@ def stated(
         return sided
     _check_ends(name, ends)
     dimensional = {symbol: sp.Symbol(f"{symbol.name}_dimensional", positive=True) for symbol in symbols.values()}
-    back = {theirs: symbol for symbol, theirs in dimensional.items()}
     closed = all(force.is_polynomial(u) for force in forces)
     to_dimensional = {u: _x / _L, **dimensional}
     made = tuple(
@@ -176,7 +175,6 @@ def stated(
         pieces=made,
         design=design,
         ratios=dimensional,
-        dimensional=back,
         order=max(max(powers) for powers in coefficients) if closed else sp.oo,
         coefficients=coefficients,
         breakpoints=tuple(sp.Symbol(f"u_{number}", real=True) for number in range(1, len(pieces))),

@@ -21,6 +21,7 @@ import sympy as sp
 from ..claims import claim
 from ..kernels import Formulas, Lets
 from ..mechanisms import EXCITATIONS as stated
+from ..mechanisms import L, k_v
 from ..paper.equation_of_motion import F, groups, m, omega, omega_n
 from ..paper.slow_flow import I, R, reduction, removed, slope, turn
 from ..paper.slow_flow import m as friction
@@ -28,8 +29,8 @@ from ..symbols import F_0, A, Omega, h, h_A, h_AA, h_AAA, zeta
 from ..systems.along import T, k
 from ..systems.slopes import hessian as hessian_of
 
-#: displacement of the base; the mass that turns and its radius; the spring and the length that u is measured in
-Y, m_u, e, k_v, L = sp.symbols("Y m_u e k_v L", positive=True)
+#: displacement of the base; the mass that turns and its radius
+Y, m_u, e = sp.symbols("Y m_u e", positive=True)
 #: what is excited by inertia: the amplitude F_0 of each, and its force
 EXCITATIONS = {"base": (Y / L, m * omega**2 * Y), "unbalance": (m_u * e / (m * L), m_u * e * omega**2)}
 

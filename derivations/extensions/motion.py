@@ -14,6 +14,7 @@ from sympy.codegen.cfunctions import hypot
 
 from ..claims import claim
 from ..kernels import Formulas, Lets
+from ..mechanisms import L, k_v
 from ..paper.equation_of_motion import F, F_c, c, cos_forcing, groups, scaled_motion, sign_u_dot, u_ddot, u_dot
 from ..symbols import F_0, A, Omega, c_3, eta, mu, phi, u, zeta, zeta_2
 
@@ -44,9 +45,7 @@ ORDER = (
 
 def equation_of_motion() -> sp.Expr:
     """(3) from (1) and (4): what vanishes."""
-    k_v, length = sp.symbols("k_v L", positive=True)
-    scaled = scaled_motion(k_v, length)
-    definitions = groups(k_v, length)
+    scaled, definitions = scaled_motion(k_v, L), groups(k_v, L)
     named = ((zeta, c), (mu, F_c), (F_0, F))
     letters = {letter: sp.solve(definitions[group] - group, letter)[0] for group, letter in named}
     # (1) is what F_k adds to zero

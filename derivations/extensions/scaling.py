@@ -10,13 +10,11 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from ..mechanisms import Mechanism
+from ..mechanisms import L, Mechanism, k_v, x
 from ..paper import equation_of_motion as osc
 from ..symbols import F_0, Omega, c_2, c_3, eta, mu, tau, u, zeta, zeta_2
 from . import inertia
 
-k_v, L = sp.symbols("k_v L", positive=True)
-x = sp.Symbol("x", real=True)
 #: the factors of |x'|x', x'^3 and x^2 x' in (1), and the loss factor of k_v, whose force is eta k_v x'/omega
 c_q, c_c, c_xx, loss = sp.symbols("c_q c_c c_xx eta", positive=True)
 
@@ -77,7 +75,7 @@ def of_every_excitation() -> dict[str, Scale]:
     """Of F_0, by the excitation that it is the amplitude of: a force F, a base's Y, an unbalance's U = m_u e."""
     U = sp.Symbol("U", positive=True)
     letters = {"base": inertia.Y, "unbalance": U}
-    bases = (inertia.k_v, inertia.L, osc.m)
+    bases = (k_v, L, osc.m)
     found = {"force": of_every_oscillator()[F_0]}
     for name in inertia.EXCITATIONS:
         amplitude = inertia.amplitude_of(name).subs(inertia.m_u, U / inertia.e)

@@ -19,10 +19,9 @@ Out: `MECHANISM`, truncated at the fifth order as the paper's isolator is.
 
 import sympy as sp
 
-from ..mechanisms import Mechanism, Parameter, Piece
+from ..mechanisms import Mechanism, Parameter, Piece, k_v, x
 
-x = sp.Symbol("x", real=True)
-k_v, k_h, R, r_r, C = sp.symbols("k_v k_h R r_r C", positive=True)
+k_h, R, r_r, C = sp.symbols("k_h R r_r C", positive=True)
 r, rho, c = sp.symbols("r rho c", positive=True)
 alpha, beta, gamma, u_d = sp.symbols("alpha beta gamma u_d", real=True)
 
@@ -31,8 +30,6 @@ across = sp.sqrt(R**2 - x**2)
 MECHANISM = Mechanism(
     name="cam_roller",
     title="mass on a vertical spring, with cams between rollers that disengage at u_d",
-    x=x,
-    k_v=k_v,
     length=R,
     pieces=(Piece(-2 * k_h * (C + across - r_r) * x / across, until=across - r_r), Piece(sp.Integer(0))),
     design=(
@@ -41,7 +38,6 @@ MECHANISM = Mechanism(
         Parameter(c, "compression C of a spring whose roller is on the flank", "R", least=0),
     ),
     ratios={r: k_h / k_v, rho: r_r / R, c: C / R},
-    dimensional={k_h: r * k_v, r_r: rho * R, C: c * R},
     order=5,
     coefficients=({1: alpha, 3: beta, 5: gamma}, {}),
     breakpoints=(u_d,),

@@ -11,23 +11,17 @@ Out: `MECHANISM`.
 
 import sympy as sp
 
-from ..mechanisms import Mechanism, Parameter, Piece
+from ..mechanisms import L, Mechanism, Parameter, Piece, k_v, x
 
-x = sp.Symbol("x", real=True)
-k_v, L, d = sp.symbols("k_v L d", positive=True)
-delta = sp.Symbol("delta", positive=True)
+d, delta = sp.symbols("d delta", positive=True)
 alpha_1, u_d = sp.symbols("alpha_1 u_d", real=True)
 
 MECHANISM = Mechanism(
     name="dead_zone",
     title="mass with a dead zone between springs",
-    x=x,
-    k_v=k_v,
-    length=L,
     pieces=(Piece(-k_v * x, until=x - d), Piece(-k_v * d)),
     design=(Parameter(delta, "clearance d on either side", "L", above=0),),
     ratios={delta: d / L},
-    dimensional={d: delta * L},
     order=1,
     coefficients=({1: alpha_1}, {}),
     breakpoints=(u_d,),

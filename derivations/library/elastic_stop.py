@@ -11,26 +11,20 @@ Out: `MECHANISM`.
 
 import sympy as sp
 
-from ..mechanisms import Mechanism, Parameter, Piece
+from ..mechanisms import L, Mechanism, Parameter, Piece, k_v, x
 
-x = sp.Symbol("x", real=True)
-k_v, L, k_s, d = sp.symbols("k_v L k_s d", positive=True)
-kappa, delta = sp.symbols("kappa delta", positive=True)
+k_s, kappa, d, delta = sp.symbols("k_s kappa d delta", positive=True)
 alpha_2, u_d = sp.symbols("alpha_2 u_d", real=True)
 
 MECHANISM = Mechanism(
     name="elastic_stop",
     title="mass on a spring, between two elastic stops with a gap",
-    x=x,
-    k_v=k_v,
-    length=L,
     pieces=(Piece(sp.Integer(0), until=x - d), Piece(k_s * (x - d))),
     design=(
         Parameter(kappa, "stiffness k_s of a stop", "k_v", above=0),
         Parameter(delta, "gap d to a stop", "L", above=0),
     ),
     ratios={kappa: k_s / k_v, delta: d / L},
-    dimensional={k_s: kappa * k_v, d: delta * L},
     order=1,
     coefficients=({}, {1: alpha_2}),
     breakpoints=(u_d,),

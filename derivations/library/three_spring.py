@@ -16,10 +16,9 @@ Out: `MECHANISM`, with the cubic for the geometric force, as in the paper; docs/
 
 import sympy as sp
 
-from ..mechanisms import Mechanism, Parameter, Piece
+from ..mechanisms import Mechanism, Parameter, Piece, k_v, x
 
-x = sp.Symbol("x", real=True)
-k_v, k_o, L_o, a = sp.symbols("k_v k_o L_o a", positive=True)
+k_o, L_o, a = sp.symbols("k_o L_o a", positive=True)
 alpha, ell = sp.symbols("alpha ell", positive=True)
 k_1, k_3 = sp.symbols("k_1 k_3", real=True)
 
@@ -28,8 +27,6 @@ length = sp.sqrt(a**2 + x**2)
 MECHANISM = Mechanism(
     name="three_spring",
     title="mass on three springs, a vertical one and two oblique ones: quasi-zero stiffness",
-    x=x,
-    k_v=k_v,
     length=a,
     pieces=(Piece(2 * k_o * (length - L_o) * x / length),),
     design=(
@@ -37,7 +34,6 @@ MECHANISM = Mechanism(
         Parameter(ell, "free length L_o of an oblique spring", "a", above=1),
     ),
     ratios={alpha: k_o / k_v, ell: L_o / a},
-    dimensional={k_o: alpha * k_v, L_o: ell * a},
     order=3,
     coefficients=({1: k_1, 3: k_3},),
     reach=sp.Rational(1, 2),

@@ -3,7 +3,8 @@
 In:  the files of this folder.
 Out: `Mechanism`, the form in which a restoring force is stated, `Parameter`, the form of a number that a user gives,
      `DAMPING` and `FORCING`, those that every oscillator has, `DISSIPATION` and `CONTACTS`, what may dissipate beside,
-     `EXCITATIONS`, what else the forcing may be of, and `all_mechanisms()`, every one in this folder.
+     `EXCITATIONS`, what else the forcing may be of, and `all_mechanisms()`, every one in this folder; x, k_v and L, the
+     displacement, the vertical stiffness and a length that displacements are measured in.
 """
 
 from __future__ import annotations
@@ -15,6 +16,9 @@ from dataclasses import dataclass
 import sympy as sp
 
 from ..symbols import F_0, c_2, c_3, eta, mu, zeta, zeta_2
+
+x = sp.Symbol("x", real=True)
+k_v, L = sp.symbols("k_v L", positive=True)
 
 
 @dataclass(frozen=True)
@@ -88,11 +92,9 @@ class Mechanism:
 
     name         -- name of the generated modules
     title        -- one line for headers
-    x, k_v, length -- symbols of displacement, vertical stiffness and the length that x is measured in
     pieces       -- the force F_k(x), piece by piece, by rising |x|
     design       -- what a user gives beside the damping: every ratio, or, where these say no more, every parameter
     ratios       -- dimensionless design parameters by their definitions, e.g. {r: k_h/k_v}
-    dimensional  -- how the dimensional parameters follow from the ratios, e.g. {k_h: r*k_v}
     order        -- degree of the Taylor polynomial that stands for each piece; `sp.oo` for the force as it is
     coefficients -- names of the Taylor coefficients of u + F_k(u) for u > 0, by power, of each piece that has any; the
                     constant of a piece that begins where the one below it ends follows from that and has none
@@ -100,30 +102,39 @@ class Mechanism:
     instead      -- ratios that the kernels take in place of the breakpoints, which follow from them; () none
     reach        -- largest |u| that the mechanism can take, in the ratios, or `sp.oo`
     reach_reason -- what happens there, in words
+    length       -- what displacements are measured in; with x and k_v, the symbols in which the rest is stated
     mirrored     -- the first piece where as it was written it is another one for u < 0 than its mirror image; "" none
     """
 
     name: str
     title: str
-    x: sp.Symbol
-    k_v: sp.Symbol
-    length: sp.Symbol
     pieces: tuple[Piece, ...]
     design: tuple[Parameter, ...]
     ratios: dict[sp.Symbol, sp.Expr]
-    dimensional: dict[sp.Symbol, sp.Expr]
     order: int | sp.Expr
     coefficients: tuple[dict[int, sp.Symbol], ...]
     breakpoints: tuple[sp.Symbol, ...] = ()
     instead: tuple[sp.Symbol, ...] = ()
     reach: sp.Expr = sp.oo
     reach_reason: str = ""
+    length: sp.Symbol = L
+    x: sp.Symbol = x
+    k_v: sp.Symbol = k_v
     mirrored: str = ""
 
     def __post_init__(self) -> None:
         symbols = tuple(parameter.symbol for parameter in self.design)
         if symbols not in (tuple(self.ratios), self.parameters):
             raise ValueError(f"{self.name}: the design {symbols} must be the ratios or the parameters, in their order")
+
+    @property
+    def dimensional(self) -> dict[sp.Symbol, sp.Expr]:
+        """How the dimensional parameters follow from the ratios, e.g. {k_h: r*k_v}."""
+        found = {}
+        for ratio, group in self.ratios.items():
+            (letter,) = group.free_symbols - {self.k_v, self.length}
+            found[letter] = ratio * letter / group
+        return found
 
     @property
     def parameters(self) -> tuple[sp.Symbol, ...]:

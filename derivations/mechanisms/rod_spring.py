@@ -6,10 +6,9 @@ Out: `MECHANISM`, the force as the geometry gives it; the Taylor coefficients an
 
 import sympy as sp
 
-from . import Mechanism, Parameter, Piece
+from . import L, Mechanism, Parameter, Piece, k_v, x
 
-x = sp.Symbol("x", real=True)
-k_v, k_h, L, Delta_h = sp.symbols("k_v k_h L Delta_h", positive=True)
+k_h, Delta_h = sp.symbols("k_h Delta_h", positive=True)
 lam, r, delta_h = sp.symbols("lam r delta_h", positive=True)
 
 # A rod of length L, hinged L from the line of the mass: at displacement x its end stands sqrt(L^2 - x^2) away. The
@@ -24,9 +23,6 @@ alpha, beta, gamma, u_cr = sp.symbols("alpha beta gamma u_cr", real=True)
 MECHANISM = Mechanism(
     name="rod_spring",
     title="mass on a vertical spring, with preloaded horizontal springs on a push-rod that detach at u_cr",
-    x=x,
-    k_v=k_v,
-    length=L,
     pieces=(Piece(vertical_component, until=compression), Piece(sp.Integer(0))),
     design=(
         Parameter(lam, "number of horizontal springs", "1", above=0),
@@ -34,7 +30,6 @@ MECHANISM = Mechanism(
         Parameter(delta_h, "their preload Delta_h; 0 is a linear oscillator", "L", least=0, below=1),
     ),
     ratios={lam: lam, r: k_h / k_v, delta_h: Delta_h / L},
-    dimensional={k_h: r * k_v, Delta_h: delta_h * L},
     order=5,
     coefficients=({1: alpha, 3: beta, 5: gamma}, {}),
     breakpoints=(u_cr,),

@@ -1,7 +1,7 @@
 /* Duffing oscillator: one cubic piece, no breakpoint: in double-double.
 
    Written by `make derive`; never edit.
-   Input: derivations/mechanisms/duffing.py, sha256 9373efd0233ac344ef6400339d5e07249f2a69044c1e5b0f62a31ba5e650a7a3
+   Input: derivations/mechanisms/duffing.py, sha256 7cffe3ba3eb82dff30d9056782c1d8d86d7b088987eebfc441dd4030a7ae1048
    Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
    `out` takes the outputs, where there are several. */

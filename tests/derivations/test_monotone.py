@@ -7,11 +7,10 @@ import pytest
 import sympy as sp
 
 from derivations.forces.monotone import prove_monotone
-from derivations.mechanisms import Mechanism, Parameter, Piece, all_mechanisms
+from derivations.mechanisms import L, Mechanism, Parameter, Piece, all_mechanisms, k_v, x
 from derivations.paper.equation_of_motion import oscillator
 
-x = sp.Symbol("x", real=True)
-k_v, L, b_1, b_2, k = sp.symbols("k_v L b_1 b_2 k", positive=True)
+b_1, b_2, k = sp.symbols("b_1 b_2 k", positive=True)
 alpha, beta, gamma, gap_1, gap_2 = sp.symbols("alpha beta gamma gap_1 gap_2", real=True)
 KAPPA, GAP_1, GAP_2 = sp.symbols("kappa g_1 g_2", positive=True)
 
@@ -55,13 +54,9 @@ def spring(*forces):
     return Mechanism(
         name="spring",
         title="pieces of straight lines",
-        x=x,
-        k_v=k_v,
-        length=L,
         pieces=tuple(Piece(force, until=end) for force, end in zip(forces, ends, strict=True)),
         design=tuple(Parameter(symbol, "", "1", above=0) for symbol in (KAPPA, *gaps)),
         ratios={KAPPA: k / k_v, **gaps},
-        dimensional={k: KAPPA * k_v, b_1: GAP_1 * L, b_2: GAP_2 * L},
         order=1,
         coefficients=tuple({1: sp.Symbol(f"alpha_{number}", real=True)} for number in range(len(forces))),
         breakpoints=(gap_1, gap_2)[: len(forces) - 1],
