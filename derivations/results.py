@@ -35,50 +35,28 @@ from .systems.slopes import slopes
 
 @dataclass(frozen=True)
 class Results:
-    """The whole derivation.
+    """The whole derivation."""
 
-    motion     -- the equation of motion (3), and (A1), (A2)
-    switching  -- what a deviation from a motion becomes where (3) switches
-    averaged   -- steps (8)-(20)
-    flows      -- slow flow and its polynomials, by scene
-    frequencies -- the quartics whose roots are the frequencies at an amplitude
-    inertia    -- what an excitation by inertia has in place of a force
-    dissipation -- what other laws of damping have in place of viscous damping and dry friction
-    linearization -- stationary random vibration
-    along      -- what vanishes along the amplitude, by scene
-    slopes     -- along the response and the fold locus
-    gradients  -- how answers move with the parameters
-    offset     -- whether a motion about the centre stays there
-    off_centre -- motions about another place than the centre, and the means that these are made of
-    sampled    -- the average of a force that is known by its values
-    steps      -- of Newton's method on the equations of each answer
-    detachment -- (34), by scene
-    second     -- the second approximation
-    wave       -- its motion over half a cycle
-    den_hartog -- (35)-(37)
-    mechanisms -- by name
-    """
-
-    motion: Formulas
-    switching: Formulas
-    averaged: Averaged
-    flows: dict[str, Formulas]
-    frequencies: Frequencies
-    inertia: Formulas
-    dissipation: Formulas
-    linearization: Formulas
-    along: dict[str, Formulas]
-    slopes: Formulas
-    gradients: Formulas
-    offset: Formulas
-    off_centre: Formulas
-    sampled: Formulas
-    steps: Formulas
-    detachment: dict[str, Formulas]
-    second: Formulas
-    wave: Formulas
-    den_hartog: Formulas
-    mechanisms: dict[str, OfMechanism]
+    motion: Formulas  #: the equation of motion (3), and (A1), (A2)
+    switching: Formulas  #: what a deviation from a motion becomes where (3) switches
+    averaged: Averaged  #: steps (8)-(20)
+    flows: dict[str, Formulas]  #: slow flow and its polynomials, by scene
+    frequencies: Frequencies  #: the quartics whose roots are the frequencies at an amplitude
+    inertia: Formulas  #: what an excitation by inertia has in place of a force
+    dissipation: Formulas  #: what other laws of damping have in place of viscous damping and dry friction
+    linearization: Formulas  #: stationary random vibration
+    along: dict[str, Formulas]  #: what vanishes along the amplitude, by scene
+    slopes: Formulas  #: along the response and the fold locus
+    gradients: Formulas  #: how answers move with the parameters
+    offset: Formulas  #: whether a motion about the centre stays there
+    off_centre: Formulas  #: motions about another place than the centre, and the means that these are made of
+    sampled: Formulas  #: the average of a force that is known by its values
+    steps: Formulas  #: of Newton's method on the equations of each answer
+    detachment: dict[str, Formulas]  #: (34), by scene
+    second: Formulas  #: the second approximation
+    wave: Formulas  #: its motion over half a cycle
+    den_hartog: Formulas  #: (35)-(37)
+    mechanisms: dict[str, OfMechanism]  #: by name
 
 
 def derive(mechanisms: Sequence[Mechanism] | None = None) -> Results:

@@ -21,15 +21,11 @@ c_q, c_c, c_xx, loss = sp.symbols("c_q c_c c_xx eta", positive=True)
 
 @dataclass(frozen=True)
 class Scale:
-    """factor k_v^(power) L^(power) m^(power).
+    """factor k_v^(power) L^(power) m^(power)."""
 
-    letter -- the dimensional quantity
-    powers -- of k_v, L and m
-    """
-
-    letter: sp.Symbol
+    letter: sp.Symbol  #: the dimensional quantity
     factor: sp.Expr
-    powers: tuple[sp.Rational, ...]
+    powers: tuple[sp.Rational, ...]  #: of k_v, L and m
 
 
 def scale(group: sp.Expr, letter: sp.Symbol, bases: tuple[sp.Symbol, ...]) -> Scale:

@@ -44,25 +44,19 @@ class Reading:
 
 @dataclass(frozen=True)
 class Subject:
-    """What a published function is compared with.
+    """What a published function is compared with."""
 
-    forms   -- derived forms; the function agrees if it equals one of them
-    values  -- values of its arguments, where they are not the symbols of the same names
-    how     -- difference: published - derived must vanish;  squares: so must the difference of the squares, both being
-               positive at `sample`;  cosines: both are angles in [0, pi], their cosines must agree;  fields: a record
-    shown   -- the derived quantity for readers by its name, where the form itself would not tell
-    sample  -- a point at which the square roots are real
-    literal -- the text is not damaged here: this reading is what the paper prints
-    remark  -- for readers, whatever the verdict
-    """
-
-    forms: tuple[Reading, ...]
+    forms: tuple[Reading, ...]  #: derived forms; the function agrees if it equals one of them
+    #: values of its arguments, where they are not the symbols of the same names
     values: dict[str, sp.Expr] = field(default_factory=dict)
+    #: difference: published - derived must vanish;  squares: so must the difference of the squares, both being
+    #: positive at `sample`;  cosines: both are angles in [0, pi], their cosines must agree;  fields: a record
     how: str = DIFFERENCE
+    #: the derived quantity for readers by its name, where the form itself would not tell
     shown: dict[str, sp.Expr] = field(default_factory=dict)
-    sample: dict[sp.Symbol, sp.Rational] = field(default_factory=dict)
-    literal: bool = False
-    remark: str = ""
+    sample: dict[sp.Symbol, sp.Rational] = field(default_factory=dict)  #: a point at which the square roots are real
+    literal: bool = False  #: the text is not damaged here: this reading is what the paper prints
+    remark: str = ""  #: for readers, whatever the verdict
 
 
 def _named(*modules: Any) -> dict[str, sp.Symbol]:

@@ -21,25 +21,16 @@ from .source import EXACT
 
 @dataclass(frozen=True)
 class Judgement:
-    """identical, equal after a stated rewriting, or differs.
-
-    published  -- the published expression in its own symbols
-    derived    -- the derived one
-    rewriting  -- what was used to make them equal
-    difference -- published less derived, in lowest terms, where it is not zero
-    factor     -- published divided by derived, if that is a number
-    printed    -- the published expressions
-    found      -- the derived ones, by name where they have one
-    """
+    """identical, equal after a stated rewriting, or differs."""
 
     verdict: str
-    published: str
-    derived: str
-    rewriting: str = ""
-    difference: str = ""
-    factor: str = ""
-    printed: tuple[sp.Expr, ...] = ()
-    found: tuple[tuple[str, sp.Expr], ...] = ()
+    published: str  #: the published expression in its own symbols
+    derived: str  #: the derived one
+    rewriting: str = ""  #: what was used to make them equal
+    difference: str = ""  #: published less derived, in lowest terms, where it is not zero
+    factor: str = ""  #: published divided by derived, if that is a number
+    printed: tuple[sp.Expr, ...] = ()  #: the published expressions
+    found: tuple[tuple[str, sp.Expr], ...] = ()  #: the derived ones, by name where they have one
 
 
 def _flat(value: Any) -> Iterator[sp.Expr]:

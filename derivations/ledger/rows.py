@@ -44,30 +44,18 @@ ALLOWED: dict[str, tuple[str, ...]] = {
 
 @dataclass(frozen=True)
 class Row:
-    """One entry of the paper, judged.
+    """One entry of the paper, judged."""
 
-    id        -- of a formula: the name of its function in published.py; of the rest: its id there
-    kind      -- formula, table, number or claim
-    where     -- equation number, section or table
-    quantity  -- what it gives; of a formula with several readings: the reading in brackets
-    published -- as the paper has it
-    derived   -- what the derivation has in its place; of a claim: empty
-    verdict   -- one of `ALLOWED[kind]`
-    difference -- published less derived where it is not zero
-    mathml    -- of a formula: as the paper has it, set, each of its expressions
-    evidence  -- the rewriting used, the proof, or what the published value is the value of
-    """
-
-    id: str
-    kind: str
-    where: str
-    quantity: str
-    published: str
-    derived: str
-    verdict: str
-    difference: str = ""
-    evidence: str = ""
-    mathml: tuple[str, ...] = ()
+    id: str  #: of a formula: the name of its function in published.py; of the rest: its id there
+    kind: str  #: formula, table, number or claim
+    where: str  #: equation number, section or table
+    quantity: str  #: what it gives; of a formula with several readings: the reading in brackets
+    published: str  #: as the paper has it
+    derived: str  #: what the derivation has in its place; of a claim: empty
+    verdict: str  #: one of `ALLOWED[kind]`
+    difference: str = ""  #: published less derived where it is not zero
+    evidence: str = ""  #: the rewriting used, the proof, or what the published value is the value of
+    mathml: tuple[str, ...] = ()  #: of a formula: as the paper has it, set, each of its expressions
 
     def __post_init__(self) -> None:
         if self.verdict not in ALLOWED[self.kind]:

@@ -88,38 +88,28 @@ class Piece:
 
 @dataclass(frozen=True)
 class Mechanism:
-    """An oscillator m x'' + c x' + k_v x + F_c sign(x') + F_k(x) = F cos(omega t), as data.
+    """An oscillator m x'' + c x' + k_v x + F_c sign(x') + F_k(x) = F cos(omega t), as data."""
 
-    name         -- name of the generated modules
-    title        -- one line for headers
-    pieces       -- the force F_k(x), piece by piece, by rising |x|
-    design       -- what a user gives beside the damping: every ratio, or, where these say no more, every parameter
-    ratios       -- dimensionless design parameters by their definitions, e.g. {r: k_h/k_v}
-    order        -- degree of the Taylor polynomial that stands for each piece; `sp.oo` for the force as it is
-    coefficients -- names of the Taylor coefficients of u + F_k(u) for u > 0, by power, of each piece that has any; the
-                    constant of a piece that begins where the one below it ends follows from that and has none
-    breakpoints  -- names of the dimensionless ends of the pieces but the last
-    instead      -- ratios that the kernels take in place of the breakpoints, which follow from them; () none
-    reach        -- largest |u| that the mechanism can take, in the ratios, or `sp.oo`
-    reach_reason -- what happens there, in words
-    length       -- what displacements are measured in; with x and k_v, the symbols in which the rest is stated
-    mirrored     -- the first piece where as it was written it is another one for u < 0 than its mirror image; "" none
-    """
-
-    name: str
-    title: str
-    pieces: tuple[Piece, ...]
+    name: str  #: name of the generated modules
+    title: str  #: one line for headers
+    pieces: tuple[Piece, ...]  #: the force F_k(x), piece by piece, by rising |x|
+    #: what a user gives beside the damping: every ratio, or, where these say no more, every parameter
     design: tuple[Parameter, ...]
-    ratios: dict[sp.Symbol, sp.Expr]
-    order: int | sp.Expr
+    ratios: dict[sp.Symbol, sp.Expr]  #: dimensionless design parameters by their definitions, e.g. {r: k_h/k_v}
+    order: int | sp.Expr  #: degree of the Taylor polynomial that stands for each piece; `sp.oo` for the force as it is
+    #: names of the Taylor coefficients of u + F_k(u) for u > 0, by power, of each piece that has any; the constant of
+    #: a piece that begins where the one below it ends follows from that and has none
     coefficients: tuple[dict[int, sp.Symbol], ...]
-    breakpoints: tuple[sp.Symbol, ...] = ()
+    breakpoints: tuple[sp.Symbol, ...] = ()  #: names of the dimensionless ends of the pieces but the last
+    #: ratios that the kernels take in place of the breakpoints, which follow from them; () none
     instead: tuple[sp.Symbol, ...] = ()
-    reach: sp.Expr = sp.oo
-    reach_reason: str = ""
+    reach: sp.Expr = sp.oo  #: largest |u| that the mechanism can take, in the ratios, or `sp.oo`
+    reach_reason: str = ""  #: what happens there, in words
+    #: what displacements are measured in; with x and k_v, the symbols in which the rest is stated
     length: sp.Symbol = L
     x: sp.Symbol = x
     k_v: sp.Symbol = k_v
+    #: the first piece where as it was written it is another one for u < 0 than its mirror image; "" none
     mirrored: str = ""
 
     def __post_init__(self) -> None:

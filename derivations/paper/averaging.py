@@ -26,24 +26,16 @@ VELOCITY = -A * Omega * sp.sin(psi)
 
 @dataclass(frozen=True)
 class Averaged:
-    """The slow flow, for A' and for A phi' (11)-(20).
+    """The slow flow, for A' and for A phi' (11)-(20)."""
 
-    compatibility -- (13): A' cos psi - A phi' sin psi = 0, so that u' keeps the form of (11)
-    motion        -- (15): A' Omega sin psi + A Omega phi' cos psi = -epsilon G, times -1
-    unaveraged    -- (17): A' = -(epsilon/Omega) G sin psi, A phi' = -(epsilon/Omega) G cos psi
-    perturbation  -- (9) at (11): G = F_0 cos(psi - phi) - 2 zeta u' - mu sign(u') - F_k + sigma u; sign(u') by
-                     half-cycle, as a pair
-    slow_flow     -- (19): A' = -(F_0 sin phi + 2 zeta Omega A + 4 mu/pi)/(2 Omega),
-                     A phi' = -(F_0 cos phi + sigma A + H)/(2 Omega)
-    restoring_integrand -- (20): H is the integral of -F_k(A cos psi) cos psi/pi over a cycle
-    """
-
-    compatibility: sp.Expr
-    motion: sp.Expr
-    unaveraged: tuple[sp.Expr, sp.Expr]
+    compatibility: sp.Expr  #: (13): A' cos psi - A phi' sin psi = 0, so that u' keeps the form of (11)
+    motion: sp.Expr  #: (15): A' Omega sin psi + A Omega phi' cos psi = -epsilon G, times -1
+    unaveraged: tuple[sp.Expr, sp.Expr]  #: (17): A' = -(epsilon/Omega) G sin psi, A phi' = -(epsilon/Omega) G cos psi
+    #: (9) at (11): G = F_0 cos(psi - phi) - 2 zeta u' - mu sign(u') - F_k + sigma u; sign(u') by half-cycle, as a pair
     perturbation: tuple[sp.Expr, sp.Expr]
+    #: (19): A' = -(F_0 sin phi + 2 zeta Omega A + 4 mu/pi)/(2 Omega), A phi' = -(F_0 cos phi + sigma A + H)/(2 Omega)
     slow_flow: tuple[sp.Expr, sp.Expr]
-    restoring_integrand: sp.Expr
+    restoring_integrand: sp.Expr  #: (20): H is the integral of -F_k(A cos psi) cos psi/pi over a cycle
 
 
 def variation_of_parameters() -> tuple[sp.Expr, sp.Expr, tuple[sp.Expr, sp.Expr]]:

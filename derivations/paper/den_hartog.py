@@ -27,24 +27,15 @@ V, U, S = sp.symbols("V U S", real=True)
 
 @dataclass(frozen=True)
 class DenHartog:
-    """Exact symmetric motion without stops.
+    """Exact symmetric motion without stops."""
 
-    response  -- V(Omega), the response function (37)
-    damping   -- U(Omega), the damping function (37)
-    motion    -- u(tau) on the half-cycle 0 <= tau <= pi/Omega that follows the maximum, in A, mu, U
-    amplitude -- A in F_0, mu, V, U (35)
-    slope_ratio -- S is the maximum of this over 0 < tau < pi/Omega (37); in U
-    bound     -- no stop while A exceeds this, in F_0, V, U, S (36)
-    bound_in_friction -- the same bound before (35) is put in: mu S/Omega^2
-    """
-
-    response: sp.Expr
-    damping: sp.Expr
-    motion: sp.Expr
-    amplitude: sp.Expr
-    slope_ratio: sp.Expr
-    bound: sp.Expr
-    bound_in_friction: sp.Expr
+    response: sp.Expr  #: V(Omega), the response function (37)
+    damping: sp.Expr  #: U(Omega), the damping function (37)
+    motion: sp.Expr  #: u(tau) on the half-cycle 0 <= tau <= pi/Omega that follows the maximum, in A, mu, U
+    amplitude: sp.Expr  #: A in F_0, mu, V, U (35)
+    slope_ratio: sp.Expr  #: S is the maximum of this over 0 < tau < pi/Omega (37); in U
+    bound: sp.Expr  #: no stop while A exceeds this, in F_0, V, U, S (36)
+    bound_in_friction: sp.Expr  #: the same bound before (35) is put in: mu S/Omega^2
 
 
 def den_hartog() -> DenHartog:

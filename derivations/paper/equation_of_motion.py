@@ -25,22 +25,15 @@ u_dot, u_ddot, sign_u_dot, cos_forcing = sp.symbols("u_dot u_ddot sign_u_dot cos
 
 @dataclass(frozen=True)
 class Dimensionless:
-    """Dimensionless oscillator u'' + 2 zeta u' + u + mu sign(u') + F_k(u) = F_0 cos(Omega tau).
+    """Dimensionless oscillator u'' + 2 zeta u' + u + mu sign(u') + F_k(u) = F_0 cos(Omega tau)."""
 
-    mechanism   -- where it comes from
-    groups      -- the dimensionless groups by their definitions (4)
-    exact       -- F_k(u) of each piece, untruncated (5)
-    exact_ends  -- |u| at which each piece but the last ends, in the ratios (5)
-    polynomials -- u + F_k(u) of each piece in named coefficients: a polynomial (6), or all of it where `order` is oo
-    definitions -- those coefficients and breakpoints in the ratios (7)
-    """
-
-    mechanism: Mechanism
-    groups: dict[sp.Symbol, sp.Expr]
-    exact: tuple[sp.Expr, ...]
-    exact_ends: tuple[sp.Expr, ...]
+    mechanism: Mechanism  #: where it comes from
+    groups: dict[sp.Symbol, sp.Expr]  #: the dimensionless groups by their definitions (4)
+    exact: tuple[sp.Expr, ...]  #: F_k(u) of each piece, untruncated (5)
+    exact_ends: tuple[sp.Expr, ...]  #: |u| at which each piece but the last ends, in the ratios (5)
+    #: u + F_k(u) of each piece in named coefficients: a polynomial (6), or all of it where `order` is oo
     polynomials: tuple[sp.Expr, ...]
-    definitions: dict[sp.Symbol, sp.Expr]
+    definitions: dict[sp.Symbol, sp.Expr]  #: those coefficients and breakpoints in the ratios (7)
 
     @property
     def breakpoints(self) -> dict[sp.Symbol, sp.Expr]:

@@ -52,22 +52,18 @@ NEGLIGIBLE = sp.Rational(1, 2**57)
 
 @dataclass(frozen=True)
 class Regime:
-    """The average where A exceeds `passed` breakpoints and not the next.
+    """The average where A exceeds `passed` breakpoints and not the next."""
 
-    passed -- the breakpoints that A exceeds, by rising size
-    far    -- those among them that it exceeds `FAR` times; if there are any the form is a truncated series
-    lets   -- intermediate quantities (symbol, expression) in order of evaluation
-    derivatives -- the average and its derivatives with respect to A, in A, the parameters and the lets
-    intercept -- the average less A times its slope, from which linear terms are gone; None where no form is known, or
-                 none was asked for
-    remainders -- lets that stand for a series cut short, each with a bound of its relative error
-    """
-
-    passed: tuple[sp.Symbol, ...]
+    passed: tuple[sp.Symbol, ...]  #: the breakpoints that A exceeds, by rising size
+    #: those among them that it exceeds `FAR` times; if there are any the form is a truncated series
     far: tuple[sp.Symbol, ...]
-    lets: tuple[tuple[sp.Symbol, sp.Expr], ...]
+    lets: tuple[tuple[sp.Symbol, sp.Expr], ...]  #: intermediate quantities (symbol, expression) in order of evaluation
+    #: the average and its derivatives with respect to A, in A, the parameters and the lets
     derivatives: tuple[sp.Expr, ...]
+    #: the average less A times its slope, from which linear terms are gone; None where no form is known, or none was
+    #: asked for
     intercept: sp.Expr | None = None
+    #: lets that stand for a series cut short, each with a bound of its relative error
     remainders: tuple[tuple[sp.Symbol, sp.Expr], ...] = ()
 
     def closed_form(self, order: int = 0) -> sp.Expr:
@@ -89,21 +85,15 @@ class Case:
 
 @dataclass(frozen=True)
 class Restoring:
-    """The averaged restoring force of an oscillator.
+    """The averaged restoring force of an oscillator."""
 
-    pieces      -- the force, by rising |u|
-    breakpoints -- where they end
-    jumps       -- f just below each breakpoint less f just above: what the truncation leaves there
-    regimes     -- the average, one exact `Regime` for 0, 1, ... breakpoints passed
-    far_regimes -- the average to working precision, by numbers of breakpoints (passed, passed by far)
-    cases       -- all forms to evaluate, by how many breakpoints are passed; none where those above are meant
-    """
-
-    pieces: tuple[sp.Expr, ...]
-    breakpoints: tuple[sp.Symbol, ...]
-    jumps: tuple[sp.Expr, ...]
-    regimes: tuple[Regime, ...]
+    pieces: tuple[sp.Expr, ...]  #: the force, by rising |u|
+    breakpoints: tuple[sp.Symbol, ...]  #: where they end
+    jumps: tuple[sp.Expr, ...]  #: f just below each breakpoint less f just above: what the truncation leaves there
+    regimes: tuple[Regime, ...]  #: the average, one exact `Regime` for 0, 1, ... breakpoints passed
+    #: the average to working precision, by numbers of breakpoints (passed, passed by far)
     far_regimes: dict[tuple[int, int], Regime]
+    #: all forms to evaluate, by how many breakpoints are passed; none where those above are meant
     cases: tuple[Case, ...] = ()
 
 
