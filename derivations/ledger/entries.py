@@ -30,8 +30,7 @@ def formula_rows(facts: Facts) -> list[Row]:
         agreeing = [f for f in readings if facts.judgements[f.name].verdict != DIFFERS]
         for formula in readings:
             judgement, subject = facts.judgements[formula.name], facts.subjects.get(formula.name, Subject(()))
-            by = f"By {judgement.rewriting}" if judgement.rewriting else ""
-            verdict, evidence = judgement.verdict, [by, subject.remark]
+            verdict, evidence = judgement.verdict, [judgement.evidence]
             if verdict == DIFFERS and agreeing and not subject.literal:
                 verdict = AMBIGUOUS
                 evidence.append(f"The proved reading: {agreeing[0].reading}.")
@@ -48,7 +47,7 @@ def formula_rows(facts: Facts) -> list[Row]:
                     mathml=tuple(map(mathml, judgement.printed)),
                     verdict=verdict,
                     difference=judgement.difference,
-                    evidence=" ".join(part.rstrip(".") + "." for part in evidence if part),
+                    evidence=" ".join(filter(None, evidence)),
                 )
             )
     return rows

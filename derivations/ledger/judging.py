@@ -26,11 +26,11 @@ class Judgement:
     verdict: str
     published: str  #: the published expression in its own symbols
     derived: str  #: the derived one
-    rewriting: str = ""  #: what was used to make them equal
     difference: str = ""  #: published less derived, in lowest terms, where it is not zero
     factor: str = ""  #: published divided by derived, if that is a number
     printed: tuple[sp.Expr, ...] = ()  #: the published expressions
     found: tuple[tuple[str, sp.Expr], ...] = ()  #: the derived ones, by name where they have one
+    evidence: str = ""  #: what was used to make them equal, and what else readers have to know
 
 
 def _flat(value: Any) -> Iterator[sp.Expr]:
@@ -98,7 +98,8 @@ def _judge_form(
         differences.append(quotient)
         used |= set(quotient.relations) | ({rewriting} if rewriting else set())
     if all(quotient.is_zero for quotient in differences):
-        return replace(judged, verdict=REWRITTEN if used else IDENTICAL, rewriting="; ".join(sorted(used)))
+        by = f"By {'; '.join(sorted(used))}." if used else ""
+        return replace(judged, verdict=REWRITTEN if used else IDENTICAL, evidence=by)
     factor = _factor(published, derived) if subject.how == formulas.DIFFERENCE else ""
     prefix = {formulas.SQUARES: "of the squares: ", formulas.COSINES: "of the cosines: "}.get(subject.how, "")
     return replace(judged, difference=prefix + "; ".join(q.text() for q in differences), factor=factor)
@@ -120,7 +121,9 @@ def _judge_fields(function: Callable[..., Any], subject: Subject) -> Judgement:
 def judge(function: Callable[..., Any], subject: Subject) -> Judgement:
     """The verdict on one published function."""
     if subject.how == formulas.FIELDS:
-        return _judge_fields(function, subject)
-    known = formulas.shared_symbols()
-    judgements = [_judge_form(function, subject, form, known) for form in subject.forms]
-    return next((j for j in judgements if j.verdict != DIFFERS), judgements[0])
+        judgements = [_judge_fields(function, subject)]
+    else:
+        known = formulas.shared_symbols()
+        judgements = [_judge_form(function, subject, form, known) for form in subject.forms]
+    found = next((one for one in judgements if one.verdict != DIFFERS), judgements[0])
+    return replace(found, evidence=f"{found.evidence} {subject.remark}".strip())

@@ -1,7 +1,7 @@
 """What the derivation has in the place of what `literature` states, one file a publication, of the same name.
 
 In:  a `Publication`; what is derived.
-Out: `judged`, one `Judged` for each formula and sentence. What a publication gives as an approximation is not
+Out: `judged`, one `Judgement` for each formula and sentence. What a publication gives as an approximation is not
      called wrong: what it stands for is certified, and the error is told.
 
 A file has `formulas(derived)`, for each function's name what judges it, and `claims(derived)`, for each sentence's id
@@ -14,7 +14,7 @@ import functools
 import importlib
 import inspect
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import sympy as sp
@@ -27,7 +27,7 @@ from ...paper.averaging import Averaged, averaged
 from ...paper.slow_flow import I, R, slow_flow
 from ...symbols import h
 from ..formulas import DIFFERENCE, Reading, Subject
-from ..judging import judge
+from ..judging import Judgement, judge
 from ..literature import Publication
 from ..rows import DIFFERS, FALSE, IDENTICAL, LOOSE, REWRITTEN, TRUE
 from ..source import EXACT
@@ -46,18 +46,7 @@ VOCABULARY = {
 }
 
 
-@dataclass(frozen=True)
-class Judged:
-    """The verdict on a formula: both sides as text, their difference where it is not zero, and the evidence."""
-
-    verdict: str
-    published: str
-    derived: str
-    difference: str = ""
-    evidence: str = ""
-
-
-Judge = Callable[[Callable[..., Any]], Judged]
+Judge = Callable[[Callable[..., Any]], Judgement]
 Claims = dict[str, tuple[str, str]]
 
 
@@ -119,37 +108,25 @@ def equal(
     sample: Mapping[sp.Symbol, sp.Rational] | None = None,
 ) -> Judge:
     """The published value with these arguments is the derived one, or the exact difference; `how` as of a `Subject`."""
-    subject = Subject((Reading(derived, rewriting),), values=dict(arguments), how=how, sample=dict(sample or {}))
-
-    def check(function: Callable[..., Any]) -> Judged:
-        judgement = judge(function, subject)
-        by = f"By {judgement.rewriting}." if judgement.rewriting else ""
-        return Judged(
-            judgement.verdict,
-            plain(function),
-            judgement.derived,
-            judgement.difference,
-            " ".join(part for part in (by, remark) if part),
-        )
-
-    return check
+    reading = Reading(derived, rewriting)
+    subject = Subject((reading,), values=dict(arguments), how=how, sample=dict(sample or {}), remark=remark)
+    return lambda function: replace(judge(function, subject), published=plain(function))
 
 
 def solves(residual: Callable[[sp.Expr], sp.Expr], arguments: Mapping[str, Any], derived: str) -> Judge:
     """The published value, put into a derived equation, solves it, or what is left."""
 
-    def check(function: Callable[..., Any]) -> Judged:
-        left = equal(sp.Integer(0), {}, rewriting=f"substitution into {derived}")(
-            lambda *, xp: residual(value(function, arguments))
-        )
-        return Judged(left.verdict, plain(function), derived, left.difference, left.evidence)
+    def check(function: Callable[..., Any]) -> Judgement:
+        subject = Subject((Reading(sp.Integer(0), f"substitution into {derived}"),))
+        left = judge(lambda *, xp: residual(value(function, arguments)), subject)
+        return replace(left, published=plain(function), derived=derived)
 
     return check
 
 
 def approximates(error: Callable[[Callable[..., Any]], str], derived: str) -> Judge:
     """The published value is an approximation, and the error of it is this."""
-    return lambda function: Judged(APPROXIMATE, plain(function), derived, evidence=error(function))
+    return lambda function: Judgement(APPROXIMATE, plain(function), derived, evidence=error(function))
 
 
 @dataclass(frozen=True)
@@ -157,7 +134,7 @@ class Verdicts:
     """All on one publication: by the name of a formula's function, and by a sentence's id."""
 
     publication: Publication
-    formulas: dict[str, Judged]
+    formulas: dict[str, Judgement]
     claims: Claims
 
 

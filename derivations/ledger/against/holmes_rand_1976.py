@@ -8,9 +8,10 @@ from typing import Any
 import sympy as sp
 
 from ...symbols import F_0, A, Omega, zeta
+from ..judging import Judgement
 from ..proofs import canonical
 from ..rows import DIFFERS, LOOSE
-from . import Derived, Judge, Judged, equal, plain, value
+from . import Derived, Judge, equal, plain, value
 
 beta = sp.Symbol("beta", real=True)
 
@@ -18,13 +19,13 @@ beta = sp.Symbol("beta", real=True)
 def formulas(derived: Derived) -> dict[str, Judge]:
     """The polynomial, and the phase."""
 
-    def phase(function: Callable[..., Any]) -> Judged:
+    def phase(function: Callable[..., Any]) -> Judgement:
         published = value(function, {"A": A, "sigma": 2 * zeta * Omega, "phi": F_0})
         difference = canonical(sp.sin(published) + derived.flow.I / F_0)
         shown = "sin φ = −I/F_0, cos φ = −R/F_0"
         if not difference.is_zero:
-            return Judged(DIFFERS, plain(function), shown, f"of the sines: {difference.text()}")
-        return Judged(
+            return Judgement(DIFFERS, plain(function), shown, f"of the sines: {difference.text()}")
+        return Judgement(
             LOOSE,
             plain(function),
             shown,
