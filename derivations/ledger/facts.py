@@ -145,19 +145,17 @@ class Facts:
         """Of the response at A = k/999, the point that stands for this fold: the extremal Omega thereabouts."""
         fold = self.fold(label, kind)
         nearest = round(float(fold.A.mid()) * MESH)
-        # beyond the peak a mesh line has no response
-        points = [p for k in range(nearest - 2, nearest + 3) for p in self._on_mesh(k, fold)]
+        points = []
+        for k in range(nearest - 2, nearest + 3):
+            frequencies = self.example.frequencies(arb(k) / MESH, fold.F_0)
+            frequencies.sort(key=lambda x: abs(x - fold.Omega).mid())
+            # none beyond the peak
+            points += [MeshPoint(k, arb(k) / MESH, x) for x in frequencies[:1]]
         direction = 1 if kind == "jump-down" else -1
         best = max(points, key=lambda p: direction * p.Omega.mid())
         if best in (points[0], points[-1]):
             raise ArithmeticError("the extremum lies outside the neighbours looked at")
         return best
-
-    def _on_mesh(self, k: int, fold: Point) -> list[MeshPoint]:
-        amplitude = arb(k) / MESH
-        frequencies = self.example.frequencies(amplitude, fold.F_0)
-        frequencies.sort(key=lambda x: abs(x - fold.Omega).mid())
-        return [MeshPoint(k, amplitude, x) for x in frequencies[:1]]
 
     @functools.cached_property
     def chord_shortfall(self) -> arb:
@@ -225,7 +223,12 @@ class Facts:
             {"r": Fraction(1), "delta_h": Fraction(1, 4)},
             {"r": Fraction(3), "delta_h": Fraction(1, 15)},
         ]
-        return [self.onset_roots(**change) for change in changes]
+        found = []
+        for change in changes:
+            candidates = self.isolator(**change).onset_candidates
+            (valid,) = (a for a, points in candidates if points)
+            found.append(([a for a, _ in candidates], valid))
+        return found
 
     @functools.cached_property
     def preload_of_onset(self) -> tuple[arb, arb]:
@@ -259,12 +262,6 @@ class Facts:
     def detachment_roots(self) -> list[arb]:
         """Positive roots of (34)."""
         return self.example.zeros("detachment", self.example.attached(self.example.u_cr))
-
-    def onset_roots(self, **changed: Fraction) -> tuple[list[arb], arb]:
-        """Positive roots of (33) for an isolator, and the one that solves F_A = F_AA = 0 with Omega > 0."""
-        candidates = self.isolator(**changed).onset_candidates
-        (valid,) = (a for a, points in candidates if points)
-        return [a for a, _ in candidates], valid
 
     # ---- F_cr over the preload ------------------------------------------------------------------------------------
 

@@ -125,7 +125,8 @@ def dimensionless_motion(results: Results) -> sp.Expr:
     motion = osc.equation_of_motion(k_v, length * symbols.u, length * rate * osc.u_dot, length * rate**2 * osc.u_ddot)
     dimensional = {osc.c: zeta, osc.F_c: mu, osc.F: F_0}
     values = {old: sp.solve(groups[new] - new, old)[0] for old, new in dimensional.items()}
-    return sp.expand(motion.subs(values) / (k_v * length)) + averaging.F_k
+    oscillation = {osc.cos_forcing: sp.cos(Omega * tau), osc.sign_u_dot: sp.sign(osc.u_dot)}
+    return sp.expand(motion.subs(values) / (k_v * length)).subs(oscillation) + averaging.F_k
 
 
 def _oscillator(results: Results) -> dict[str, Subject]:
@@ -136,9 +137,7 @@ def _oscillator(results: Results) -> dict[str, Subject]:
     groups = osc.dimensionless_groups(mechanism)
     oscillation = {osc.cos_forcing: sp.cos(osc.omega * osc.t), osc.sign_u_dot: sp.sign(s["x_dot"])}
     dimensional = (osc.equation_of_motion(k_v, x, s["x_dot"], s["x_ddot"]) + averaging.F_k).subs(oscillation)
-    scaled = dimensionless_motion(results).subs(
-        {osc.cos_forcing: sp.cos(Omega * tau), osc.sign_u_dot: sp.sign(osc.u_dot)}
-    )
+    scaled = dimensionless_motion(results)
     end = length * rod.exact_ends[0].subs(delta_h, Delta_h / length)
     names = {
         "omega_n": groups[osc.omega_n],
@@ -178,9 +177,7 @@ def _oscillator(results: Results) -> dict[str, Subject]:
 def _averaging(results: Results) -> dict[str, Subject]:
     mean = results.averaged
     s = shared_symbols()
-    scaled = dimensionless_motion(results).subs(
-        {osc.cos_forcing: sp.cos(Omega * tau), osc.sign_u_dot: sp.sign(osc.u_dot)}
-    )
+    scaled = dimensionless_motion(results)
     small = {symbol: epsilon * symbol for symbol in (zeta, mu, F_0, averaging.F_k)}
     # 1 = Omega^2 - epsilon sigma in the stiffness term
     rescaled = sp.expand(scaled.subs(small, simultaneous=True) + (Omega**2 - epsilon * sigma - 1) * symbols.u)
@@ -419,9 +416,7 @@ def logistic(x: sp.Expr) -> sp.Expr:
 def _smoothing(results: Results) -> dict[str, Subject]:
     s = shared_symbols()
     force = results.mechanisms[MECHANISM].oscillator.exact[0]
-    motion = dimensionless_motion(results).subs(
-        {osc.cos_forcing: sp.cos(Omega * tau), osc.sign_u_dot: s["Phi_1"], averaging.F_k: force * s["Phi_2"]}
-    )
+    motion = dimensionless_motion(results).subs({sp.sign(osc.u_dot): s["Phi_1"], averaging.F_k: force * s["Phi_2"]})
     window = logistic(s["nu_2"] * (symbols.u + s["u_cr"])) - logistic(s["nu_2"] * (symbols.u - s["u_cr"]))
     step = sp.tanh(s["nu_1"] * osc.u_dot)
     names = ("minus_minus", "plus_plus", "minus_plus", "plus_minus")

@@ -53,10 +53,6 @@ class Elimination:
         top = max(self.reduced)
         return tuple(in_factors(self.reduced.get(power, sp.Integer(0))) for power in range(0, top + 1, 2))
 
-    def whole(self) -> sp.Expr:
-        """The polynomial without its content."""
-        return sum(value * self.unknown**power for power, value in self.coefficients.items())
-
 
 def in_factors(value: sp.Expr) -> sp.Expr:
     """A polynomial by its factors, and these by powers of m, each with a coefficient that is factored in turn.

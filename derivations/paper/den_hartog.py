@@ -35,7 +35,6 @@ class DenHartog:
     amplitude: sp.Expr  #: A in F_0, mu, V, U (35)
     slope_ratio: sp.Expr  #: S is the maximum of this over 0 < tau < pi/Omega (37); in U
     bound: sp.Expr  #: no stop while A exceeds this, in F_0, V, U, S (36)
-    bound_in_friction: sp.Expr  #: the same bound before (35) is put in: mu S/Omega^2
 
 
 def den_hartog() -> DenHartog:
@@ -84,7 +83,6 @@ def den_hartog() -> DenHartog:
         amplitude=sp.sqrt(A_squared),
         slope_ratio=ratio,
         bound=sp.sqrt(sp.factor(bound_squared)),
-        bound_in_friction=mu * S / Omega**2,
     )
 
 
