@@ -193,7 +193,7 @@ MOTIONS_IN_UNITS = {
     "random": query(psd=spectra, unit=mostly(st.just("g^2/Hz"), st.just("V^2/Hz"))),
 }
 PICTURES_IN_UNITS = {"plot": query(anything, f=windows, of=st.sampled_from(["A", "phi", "B"]))}
-BATCHED = {"places": st.sampled_from([1, 6, 0, "all"]), "workers": st.sampled_from([1, 2, 0, None])}
+BATCHED = {"max_count": st.sampled_from([1, 6, 0, "all"]), "workers": st.sampled_from([1, 2, 0, None])}
 PULSES = {name: query(acceleration=columns, duration=columns) for name in ("transient", "shock_spectrum")}
 MANY = {
     **{name: query() for name in ("saddle_node_onset", "detachment")},

@@ -14,7 +14,7 @@ typedef enum {
     SF_NONE = 3, /* no such result: for example no fold, or no breakpoint */
     SF_UNBOUNDED = 4, /* no viscous damping: the response is unbounded, there is no lowest forcing */
     SF_NO_BOUND = 5, /* no amplitude was found that bounds the response */
-    SF_TOO_MANY = 6, /* more results than places */
+    SF_TOO_MANY = 6, /* more results than max_count */
     SF_UNRESOLVED = 7, /* branches coincide within rounding */
     SF_NO_MEMORY = 8 /* out of memory */
 } sf_status;

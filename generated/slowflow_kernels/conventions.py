@@ -16,7 +16,7 @@ class Status(IntEnum):
     3  NONE                 no such result: for example no fold, or no breakpoint
     4  UNBOUNDED            no viscous damping: the response is unbounded, there is no lowest forcing
     5  NO_BOUND             no amplitude was found that bounds the response
-    6  TOO_MANY             more results than places
+    6  TOO_MANY             more results than max_count
     7  UNRESOLVED           branches coincide within rounding
     8  NO_MEMORY            out of memory
     """

@@ -70,7 +70,7 @@ def physical(mount: Physical) -> None:
     reveal_type(mount.oscillator.peak(0.04).A)
     reveal_type(mount.steady_state(f=3, F=5).t)
     reveal_type(mount.many(m=[11.0, 12.0]).peak(F=[5.0, 6.0]).A)
-    reveal_type(mount.many(m=[11.0, 12.0]).amplitudes(f=3, F=5, places=2).answer)
+    reveal_type(mount.many(m=[11.0, 12.0]).amplitudes(f=3, F=5, max_count=2).answer)
     reveal_type(mount.many(m=[11.0, 12.0]).random(psd=([1.0, 50.0], [1e-4, 1e-6])).x_rms)
 
 def wrong(iso: Isolator, mount: Physical) -> None:

@@ -170,11 +170,11 @@ def test_curves_of_many_say_where_there_are_none():
     assert found.status.tolist() == [Status.OK, Status.STICKS, Status.INVALID]
     one = Isolator(lam=3, r=2.03, delta_h=0.082, mu=0.012, zeta=0.02)
     assert found.points[1:].tolist() == [0, 0] and np.isnan(found.A[1:]).all() and not found.remarks[1:].any()
-    few = many.frequency_response(F_0, samples=30, places=1)
+    few = many.frequency_response(F_0, samples=30, max_count=1)
     assert few.status[0] == Status.TOO_MANY and few.fold_A.shape == (3, 1) and few.count[0] == found.count[0] > 1
     np.testing.assert_array_equal(few.A, found.A)
     assert many.frequency_response(F_0, samples=30, Omega=(5.0, 6.0)).points[0] < found.points[0]
-    for wrong in ({"samples": 1}, {"Omega": (1.0, 1.0)}, {"places": 0}):
+    for wrong in ({"samples": 1}, {"Omega": (1.0, 1.0)}, {"max_count": 0}):
         with pytest.raises(ValueError, match=next(iter(wrong))):
             many.frequency_response(F_0, **wrong)
     columns = found.columns()

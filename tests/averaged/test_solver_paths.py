@@ -156,7 +156,7 @@ def test_states_of_many_that_leave_the_centre_say_so():
     many = Duffing.many(alpha, 1.0, 0.0, 0.05).amplitudes(Omega=Omega, F_0=0.05)
     assert many.status.tolist() == [[0, 0], [0, 0], [1, 1]]
     assert (many.remarks[:2, 0] & Remark.LEAVES_CENTRE).any() and not (many.remarks[:2, 1] & Remark.LEAVES_CENTRE).any()
-    few = Duffing.many(-0.2, 1.0, 0.0, 0.05).amplitudes(Omega=0.3, F_0=0.05, places=1)
+    few = Duffing.many(-0.2, 1.0, 0.0, 0.05).amplitudes(Omega=0.3, F_0=0.05, max_count=1)
     assert few.status == (6 if few.count > 1 else 0) and few.A.shape == (1,)
     assert set(few.columns()) >= {"Omega", "F_0", "A_0", "stable_0"}
 
@@ -168,7 +168,7 @@ def test_a_bad_design_gets_a_status_and_spoils_no_other():
     assert many.peak([0.04, 0.04, 0.04, 0.04, 0.04]).status.tolist() == [0, 1, 1, 1, 4]
     assert many.saddle_nodes(0.015).status.tolist() == [2, 1, 1, 1, 2]
     assert Isolator.many(**TABLE_1).saddle_nodes([0.04, -1, math.inf]).status.tolist() == [0, 1, 1]
-    crowded = Isolator.many(**TABLE_1).saddle_nodes(0.04, places=1)
+    crowded = Isolator.many(**TABLE_1).saddle_nodes(0.04, max_count=1)
     assert crowded.status == 6 and crowded.count == 2 and crowded.kind.tolist() == [1]
     assert Duffing.many(1.0, [0.0, 0.5], 0.01, 0.1).saddle_node_onset().status.tolist() == [3, 0]
     assert Duffing.many(1.0, 1.0).detachment().status == 3

@@ -211,7 +211,7 @@ def test_folds_single_batched_and_proved_agree_or_say_so(kind, draw):
     assert decided.sum() > 0.8 * DRAWN and (there & ~decided).sum() > 100
     some = rng.choice(np.flatnonzero(there), fewer(300, 6), replace=False)
     some = np.concatenate((some, np.flatnonzero(there & ~decided)[: fewer(50, 6)]))
-    found = batch(kind, [column[some] for column in numbers]).saddle_nodes(F_0[some], places=12)
+    found = batch(kind, [column[some] for column in numbers]).saddle_nodes(F_0[some], max_count=12)
     for i, k in enumerate(some):
         *own, mu, zeta = (float(column[k]) for column in numbers)
         one = oscillator(kind, *own, mu=mu, zeta=zeta).saddle_nodes(float(F_0[k]))

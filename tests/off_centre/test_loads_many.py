@@ -159,6 +159,6 @@ def test_a_response_has_about_as_many_points_as_samples(samples):
     assert abs(len(single) - samples) <= 64
     assert set(zip(folds.Omega, folds.A, strict=True)) <= set(zip(single.Omega, single.A, strict=True))
     assert single.Omega.max() == 2.0
-    found = many.frequency_response(0.049, samples=samples, places=16)
+    found = many.frequency_response(0.049, samples=samples, max_count=16)
     assert found.status == Status.OK and found.points == len(single)
     assert np.array_equal(found.A[: len(single)], single.A)

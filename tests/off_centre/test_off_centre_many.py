@@ -33,8 +33,8 @@ def test_a_design_without_an_answer_has_a_status_that_says_why():
     states = designs.amplitudes(Omega=1.3, F_0=[0.2, 0.2, 0.2, 0.2, 0.2, 0.01])
     assert states.status.tolist() == [ok, unbounded, invalid, invalid, ok, Status.STICKS]
     assert designs.saddle_nodes(-1.0).status.tolist() == [invalid] * 6
-    assert designs.amplitudes(Omega=1.3, F_0=0.2, places=1).status[0] == Status.TOO_MANY
-    assert designs.frequency_response(0.2, samples=40, Omega=(0.5, 2.0), places=1).status[0] == Status.TOO_MANY
+    assert designs.amplitudes(Omega=1.3, F_0=0.2, max_count=1).status[0] == Status.TOO_MANY
+    assert designs.frequency_response(0.2, samples=40, Omega=(0.5, 2.0), max_count=1).status[0] == Status.TOO_MANY
     # what is crossed on the way from a row that is none is not known
     rows = designs.spectrum(Omega=[1.25, -1.0, 1.6], F_0=0.2)
     assert rows.status[0].tolist() == [ok, invalid, invalid] and rows.to_xarray()["A"].dims[-1] == "row"

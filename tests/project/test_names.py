@@ -22,21 +22,16 @@ ROOMS = {
 #: fields of public answers and records, and public keywords, which stay, by file of `src/slowflow`
 PUBLIC = {
     "answers/answer.py": {"share"},
-    "answers/table.py": {"places", "rests", "stands"},
+    "answers/table.py": {"rests", "stands"},
     "answers/physical_answers.py": {"rests", "stands"},
     "app/scenes.py": {"asked"},
     "app/verdict.py": {"share"},
-    "averaged/batch_checks.py": {"places"},
     "averaged/batches.py": {"asked"},
-    "averaged/many.py": {"places"},
     "exact/transient.py": {"rests"},
     "grid/designs.py": {"asked"},
-    "off_centre/many.py": {"places"},
     "oscillators/oscillator.py": {"given"},
     "oscillators/physical.py": {"given"},
-    "oscillators/physical_designs.py": {"asked", "places"},
-    "random_vibration/many.py": {"places"},
-    "second/many.py": {"places"},
+    "oscillators/physical_designs.py": {"asked"},
     "sizing/tolerances.py": {"share"},
     "support/record.py": {"held", "moved", "told"},
 }

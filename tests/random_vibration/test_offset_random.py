@@ -114,7 +114,7 @@ def test_every_motion_of_a_loaded_cubic_spring_is_a_root():
         random.choice([-1, 1], size) * 10 ** random.uniform(-3, 0.3, size),
         10 ** random.uniform(-4, 0.5, size),
     )
-    found = Duffing.many(alpha, beta, 0.0, 0.05, load=load).random(S_0=0.1 / math.pi * square, places=6)
+    found = Duffing.many(alpha, beta, 0.0, 0.05, load=load).random(S_0=0.1 / math.pi * square, max_count=6)
     for n in range(size):
         expected = of_polynomial(alpha[n], beta[n], load[n], square[n])
         assert found.count[n] == len(expected)

@@ -216,7 +216,7 @@ def test_many_designs_have_a_status_where_one_is_refused():
         S_0=[1e-4, 1e-4, 1e-4, -1.0]
     )
     assert found.status.tolist() == [Status.OK, *[Status.INVALID] * 3]
-    few = Duffing.many(1.0, -1.0, 0.0, 0.02).random(S_0=1e-4, places=1)
+    few = Duffing.many(1.0, -1.0, 0.0, 0.02).random(S_0=1e-4, max_count=1)
     assert (few.status, few.count, few.u_rms.shape) == (Status.TOO_MANY, 2, (1,))
     assert few.u_rms[0] == found.u_rms[0, 0]
     one = Duffing(1.0, 0.5, mu=0.01, zeta=0.03)

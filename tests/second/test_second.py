@@ -561,7 +561,7 @@ def test_batches_of_the_second_approximation_say_what_lacks():
         with pytest.raises(AttributeError, match=f"has no {name}: "):
             getattr(second, name)
     assert pickle.loads(pickle.dumps(second)) == second and copy.deepcopy(second) == second
-    few, states = (second.amplitudes(Omega=0.9, F_0=0.04, places=max_count) for max_count in (1, 6))
+    few, states = (second.amplitudes(Omega=0.9, F_0=0.04, max_count=max_count) for max_count in (1, 6))
     assert (few.status == Status.TOO_MANY).any() and np.array_equal(few.A[:, 0], states.A[:, 0], equal_nan=True)
     curves = second.frequency_response(0.04, samples=60, Omega=(0.7, 1.1))
     assert len(curves.columns()["A_1"]) == curves.points.sum()

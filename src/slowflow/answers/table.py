@@ -128,7 +128,7 @@ class SameColumns:
     points: Counts = _column("number of points")
     fold_A: Floats = _column("amplitude of a fold", "length")
     fold_kind: Codes = _column("kind of fold")
-    count: Codes = _column("number of entries, also where these exceed places, or number proved")
+    count: Codes = _column("number of entries, also where these exceed max_count, or number proved")
     proved: Codes = _column("1 where these are proved to be all")
     bits: Sizes = _column("bits of the proof: 53 for intervals of doubles, more for balls")
     undecided: Codes = _column("1 where neither double precision nor ball arithmetic decides the count")
@@ -292,7 +292,7 @@ class ManyQuestions(Generic[Found]):
     """The questions about many designs, dimensionless: each returns a `Batch`, of a grid an xarray Dataset.
 
     F_0, Omega, acceleration, duration -- numbers or arrays that broadcast with the designs
-    places    -- largest number of entries per design, along an additional axis of the columns, filled with NaN and 0;
+    max_count -- largest number of entries per design, along an additional axis of the columns, filled with NaN and 0;
             `count` is the number of entries, `Status.TOO_MANY` marks designs with more
     workers   -- threads that share the designs, -1 for one per processor; the results do not depend on it
     stable    -- 1 where both eigenvalues of the Jacobian (28) have a negative real part
@@ -334,12 +334,12 @@ class ManyQuestions(Generic[Found]):
         | {OFFSET: "Omega:place A:place B:place kind:place count undecided status"},
         kinds=FoldKind,
     )
-    def saddle_nodes(self, F_0: Any, *, places: int = 6, workers: int = 1) -> Found:
+    def saddle_nodes(self, F_0: Any, *, max_count: int = 6, workers: int = 1) -> Found:
         """Find every fold at F_0 (24), (30), sorted by Omega: .Omega .A .kind .count .undecided; with a load .B.
 
         Parameters
         ----------
-        F_0, places, workers : as in the class
+        F_0, max_count, workers : as in the class
             Amplitudes of the excitation, > 0; largest number of folds; threads.
 
         Returns
@@ -357,12 +357,12 @@ class ManyQuestions(Generic[Found]):
             OFFSET: "A:place B:place phi:place transmissibility:place stable:place count undecided status",
         }
     )
-    def amplitudes(self, *, F_0: Any, Omega: Any, places: int = 6, workers: int = 1) -> Found:
+    def amplitudes(self, *, F_0: Any, Omega: Any, max_count: int = 6, workers: int = 1) -> Found:
         """Find every steady state at (Omega, F_0) (24), (30), sorted by A: .A .phi .stable .count .transmissibility.
 
         Parameters
         ----------
-        F_0, Omega, places, workers : as in the class
+        F_0, Omega, max_count, workers : as in the class
             Amplitudes and frequencies of the excitation, > 0; largest number of states; threads.
 
         Returns
@@ -387,7 +387,7 @@ class ManyQuestions(Generic[Found]):
         *,
         samples: int = 1000,
         Omega: tuple[float, float] = validate.WINDOW,
-        places: int = 6,
+        max_count: int = 6,
         workers: int = 1,
     ) -> Found:
         """Compute the response curve at F_0 (24), (30), with every fold: .Omega .A .stable .branch .isola .points.
@@ -397,7 +397,7 @@ class ManyQuestions(Generic[Found]):
         F_0, samples, Omega : array_like, int, tuple of float
             Amplitudes of the excitation, > 0; approximate number of points and window of frequencies, the same for all
             designs.
-        places, workers : int
+        max_count, workers : int
             Largest number of folds; threads.
 
         Returns
@@ -407,7 +407,7 @@ class ManyQuestions(Generic[Found]):
             along each branch; the first .points entries are used, the others are NaN, 0 and branch -1. .branch is the
             index of the connected curve, from 0, isolated curves last, .isola 1 where it is closed; .fold_Omega .fold_A
             .fold_kind .count are as in `saddle_nodes`, not in the second approximation. `Status.TOO_MANY` marks a curve
-            with more points, which is left empty, or with more folds than `places`. About 25 bytes per point.
+            with more points, which is left empty, or with more folds than `max_count`. About 25 bytes per point.
         """
 
     @asks(_same("A Omega status", AVERAGING, SECOND) | {OFFSET: "A B Omega u_max Omega_max status"})
@@ -442,7 +442,7 @@ class ManyQuestions(Generic[Found]):
         """
 
     @asks({OFFSET: "u:place stiffness:place count status"})
-    def rest(self, *, places: int = 3, workers: int = 1) -> Found:
+    def rest(self, *, max_count: int = 3, workers: int = 1) -> Found:
         """Find every equilibrium under a load, sorted by u: .u .stiffness .count."""
 
     @asks({AVERAGING: "Omega_0 k_0 u_cr break_loose rests_within sticking status"})
@@ -470,12 +470,12 @@ class ManyQuestions(Generic[Found]):
         """
 
     @asks(_same("Omega_low:place Omega_high:place motions:place count status", AVERAGING, OFFSET))
-    def hysteresis(self, F_0: Any, *, places: int = 3, workers: int = 1) -> Found:
+    def hysteresis(self, F_0: Any, *, max_count: int = 3, workers: int = 1) -> Found:
         """Find the bands of Omega with several stable motions at F_0: .Omega_low .Omega_high .motions .count.
 
         Parameters
         ----------
-        F_0, places, workers : as in the class
+        F_0, max_count, workers : as in the class
             Amplitudes of the excitation, > 0; largest number of bands; threads.
         """
 
@@ -568,7 +568,7 @@ class ManyQuestions(Generic[Found]):
         )
     )
     def random(
-        self, *, S_0: Any = None, psd: tuple[Any, Any] | None = None, places: int = 3, workers: int = 1
+        self, *, S_0: Any = None, psd: tuple[Any, Any] | None = None, max_count: int = 3, workers: int = 1
     ) -> Found:
         """Find stationary random vibration: .B .u_rms, ascending, .v_rms .a_rms .stiffness .damping .beyond .dry.
 
@@ -577,7 +577,7 @@ class ManyQuestions(Generic[Found]):
         S_0, psd : array_like, tuple of array_like
             Densities of white noise, which broadcast with the designs; or frequencies and densities, the same for all
             designs, at about 25 microseconds per design, with a load 0.3 milliseconds.
-        places, workers : as in the class
+        max_count, workers : as in the class
             Largest number of motions; threads.
 
         Returns

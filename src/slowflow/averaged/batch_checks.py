@@ -120,11 +120,11 @@ def full(designs: Designs, F_0: Any) -> Floats:
     return np.asarray(dissipation.full_by_inertia(np.asarray(F_0, dtype=float), designs._flow.d))
 
 
-def hysteresis(designs: Designs, F_0: Any, places: int = 3, workers: int = 1) -> Batch:
+def hysteresis(designs: Designs, F_0: Any, max_count: int = 3, workers: int = 1) -> Batch:
     """See `slowflow.grid.many.Designs.hysteresis`."""
     folds = designs.saddle_nodes(F_0, workers=workers)
     shape = folds.status.shape
-    columns = QUESTIONS["hysteresis"].blank(AVERAGING, shape, place=places)
+    columns = QUESTIONS["hysteresis"].blank(AVERAGING, shape, place=max_count)
     low, high, motions, count, status = columns.values()
     status[...] = np.where(folds.status == Status.TOO_MANY, Status.OK, folds.status)
     zeta = np.broadcast_to(designs.values["zeta"], shape)
@@ -145,10 +145,10 @@ def hysteresis(designs: Designs, F_0: Any, places: int = 3, workers: int = 1) ->
         if found is None:
             status[at] = Status.UNRESOLVED
             continue
-        n, count[at] = min(places, len(found)), len(found)
+        n, count[at] = min(max_count, len(found)), len(found)
         low[at][:n], high[at][:n] = found.Omega_low[:n], found.Omega_high[:n]
         motions[at][:n] = found.motions[:n]
-    status[(count > places) & (status == Status.OK)] = Status.TOO_MANY
+    status[(count > max_count) & (status == Status.OK)] = Status.TOO_MANY
     return Batch("hysteresis", columns, designs, {"F_0": F_0}, remarks=folds.remarks)
 
 
@@ -288,4 +288,4 @@ def _singly(designs: Designs, F_0: Any, selected: Flags, ask: Callable[..., Any]
 def _with_all(ask: Callable[..., Any]) -> Any:
     """The batch that `ask` gives, with places for all that any design has."""
     found = ask()
-    return ask(places=int(found.count.max())) if (found.status == Status.TOO_MANY).any() else found
+    return ask(max_count=int(found.count.max())) if (found.status == Status.TOO_MANY).any() else found

@@ -102,17 +102,17 @@ class Question:
     points: int = 0
     empty: Status = Status.OK
 
-    def blank(self, places: int, status: Status, shape: tuple[int, ...] = ()) -> dict[str, npt.NDArray[Any]]:
+    def blank(self, max_count: int, status: Status, shape: tuple[int, ...] = ()) -> dict[str, npt.NDArray[Any]]:
         """Empty columns."""
-        columns = QUESTIONS[self.name].blank(self.system, shape, place=places, point=self.points)
+        columns = QUESTIONS[self.name].blank(self.system, shape, place=max_count, point=self.points)
         columns["status"][...] = status
         return columns
 
-    def columns(self, found: Any, places: int) -> dict[str, npt.NDArray[Any]]:
+    def columns(self, found: Any, max_count: int) -> dict[str, npt.NDArray[Any]]:
         """The columns of a single answer; for a curve with its folds, those of both."""
         if isinstance(found, tuple):
             curve, folds = found
-            columns, of_folds = self.columns(curve, places), SADDLE_NODES.columns(folds, places)
+            columns, of_folds = self.columns(curve, max_count), SADDLE_NODES.columns(folds, max_count)
             columns |= {f"fold_{name}": of_folds.pop(name) for name in ("Omega", "A", "kind")}
             if columns["status"] == Status.TOO_MANY:
                 del of_folds["status"]
@@ -120,10 +120,10 @@ class Question:
             if Remark.BY_BALLS in curve.remarks:
                 of_folds["undecided"][...] = 0
             return columns | of_folds
-        columns, axes = self.blank(places, Status.OK), QUESTIONS[self.name].columns[self.system]
-        size, room = len(found) if any(axes.values()) else None, self.points or places
+        columns, axes = self.blank(max_count, Status.OK), QUESTIONS[self.name].columns[self.system]
+        size, room = len(found) if any(axes.values()) else None, self.points or max_count
         if size is not None and size > MOST_COUNTED and not self.points:
-            return self.blank(places, Status.UNRESOLVED)
+            return self.blank(max_count, Status.UNRESOLVED)
         for name in columns.keys() - {"status", *(OF_FOLDS if self.points else ())}:
             value = CODED[name](found) if name in CODED else getattr(found, name)
             if not axes[name]:
@@ -252,14 +252,14 @@ class Designs(Unchanging, ManyQuestions[Batch]):
         if question == "certify":
             return self._certify(**kwargs, workers=workers)
         at = {name: kwargs[name] for name in QUESTIONS[question].takes}
-        places = validate.count("places", kwargs["places"], least=1) if "places" in kwargs else 0
+        max_count = validate.count("max_count", kwargs["max_count"], least=1) if "max_count" in kwargs else 0
         own = curves(*validate.curve(kwargs["samples"], kwargs["Omega"])) if "samples" in kwargs else BY_NAME[question]
-        columns = self.ask(own, workers, places=places, **at)
+        columns = self.ask(own, workers, max_count=max_count, **at)
         extra = {}
         if question == "peak":
             extra["escapes"] = self._leave_out_what_escapes(*columns, **at)
         elif question != "detachment":
-            extra["by_balls"] = self._decide(own, columns, places, *at.values())
+            extra["by_balls"] = self._decide(own, columns, max_count, *at.values())
         if question == "frequency_response":
             self._leave_out_what_drifts(*columns[:3])
         elif question == "amplitudes":
@@ -280,7 +280,7 @@ class Designs(Unchanging, ManyQuestions[Batch]):
         values = dict(zip(QUESTIONS[question].columns[AVERAGING], columns, strict=True))
         return Batch(question, values, self, at, **extra)
 
-    def _decide(self, question: Question, columns: list[npt.NDArray[Any]], places: int, *arguments: Any) -> Flags:
+    def _decide(self, question: Question, columns: list[npt.NDArray[Any]], max_count: int, *arguments: Any) -> Flags:
         """Change the columns to those of single answers where balls decide what doubles do not; where that is."""
         named = dict(zip(QUESTIONS[question.name].columns[AVERAGING], columns, strict=True))
         left = (named["status"] == Status.UNRESOLVED) | np.asarray(named.get("undecided", 0) != 0)
@@ -295,7 +295,7 @@ class Designs(Unchanging, ManyQuestions[Batch]):
             except ArithmeticError:  # what single answers refuse stays refused
                 continue
             by_balls[at] = Remark.BY_BALLS in (found[0] if isinstance(found, tuple) else found).remarks
-            _put(columns, at, question.columns(found, places))
+            _put(columns, at, question.columns(found, max_count))
         return by_balls
 
     def _model(self, numbers: Sequence[float]) -> Model:
@@ -407,7 +407,7 @@ class Designs(Unchanging, ManyQuestions[Batch]):
             return diagnostics.of_designs(self._flow, force, Omega, A, corner)
 
     def ask(
-        self, question: Question, workers: int, F_0: Any = None, places: int = 0, Omega: Any = None
+        self, question: Question, workers: int, F_0: Any = None, max_count: int = 0, Omega: Any = None
     ) -> list[npt.NDArray[Any]]:
         """The columns of the answer to a question; `question` may be that of another level of approximation."""
         threads = validate.workers(workers)
@@ -421,7 +421,7 @@ class Designs(Unchanging, ManyQuestions[Batch]):
         shape = validate.common_shape(values)
         record = backend.record_of(self.mechanism, self.excitation != "force", bool(self.laws))
         solve = question.batch(record) if question.batch is not None and record is not None else None
-        blank = question.blank(places, Status.UNRESOLVED).values()
+        blank = question.blank(max_count, Status.UNRESOLVED).values()
         outputs = [np.empty((*shape, *one.shape), one.dtype) for one in blank]
         if solve is None:  # compiled solvers write each entry themselves
             for output, one in zip(outputs, blank, strict=True):
@@ -443,12 +443,12 @@ class Designs(Unchanging, ManyQuestions[Batch]):
             places_of = np.broadcast_to(np.uint8(0), shape)
             map_chunks(part, blocks(shape, question.at_once), threads, lambda one: places_of[one].size, places_of.size)
             if question.one is not None and self.mechanism.enclosed is not None:
-                self._refuse_undefined(question, places, outputs)
+                self._refuse_undefined(question, max_count, outputs)
         if question.one is not None and (self.laws or solve is None):
             # single answers know of masses that no spring holds, and of what boxes leave unresolved
             left = np.isin(outputs[-1], (Status.NO_BOUND, Status.UNRESOLVED))
             for index, design, own in self._each(left, *(values[name] for name in at)):
-                _put(outputs, index, self._one(question, design, own, places))
+                _put(outputs, index, self._one(question, design, own, max_count))
         return outputs
 
     def _with_all_laws(self, values: dict[str, npt.NDArray[Any]]) -> list[npt.NDArray[Any]]:
@@ -463,7 +463,7 @@ class Designs(Unchanging, ManyQuestions[Batch]):
         """What the force takes, of all designs; a number outside its domain, which has a status, may warn."""
         return tuple(np.asarray(value) for value in self.mechanism.coefficients(*self.design))
 
-    def _refuse_undefined(self, question: Question, places: int, outputs: list[Any]) -> None:
+    def _refuse_undefined(self, question: Question, max_count: int, outputs: list[Any]) -> None:
         """A status for designs whose force is infinite within its reach, of which the compiled solvers do not know."""
         with np.errstate(all="ignore"):  # a number outside its domain has a status already
             doubtful = may_be_undefined(self.mechanism, self._parameters)
@@ -471,9 +471,9 @@ class Designs(Unchanging, ManyQuestions[Batch]):
             try:
                 check_defined(self._model(numbers))
             except ValueError:
-                _put(outputs, index, question.blank(places, Status.INVALID))
+                _put(outputs, index, question.blank(max_count, Status.INVALID))
 
-    def _one(self, question: Question, numbers: list[float], arguments: list[float], places: int) -> dict[str, Any]:
+    def _one(self, question: Question, numbers: list[float], arguments: list[float], max_count: int) -> dict[str, Any]:
         """One design's answer, with a status in place of an exception."""
         assert question.one is not None
         try:
@@ -481,10 +481,10 @@ class Designs(Unchanging, ManyQuestions[Batch]):
             if len(arguments) > 1:
                 validate.frequencies("Omega", arguments[1])
             if arguments and model.sticks(validate.number("F_0", arguments[0], above=0.0)):
-                return question.blank(places, Status.STICKS)
-            return question.columns(question.one(oscillator, proofs.Allowance(0), *arguments), places)
+                return question.blank(max_count, Status.STICKS)
+            return question.columns(question.one(oscillator, proofs.Allowance(0), *arguments), max_count)
         except (ValueError, ArithmeticError) as error:
-            return question.blank(places, failed(error))
+            return question.blank(max_count, failed(error))
 
 
 def _put(columns: list[npt.NDArray[Any]], at: tuple[int, ...], found: dict[str, Any]) -> None:

@@ -101,7 +101,7 @@ class Ask:
 def lengths(row: Question, system: str, options: Mapping[str, Any], rows: int) -> tuple[tuple[str, int], ...]:
     """Of the axes that an answer has behind those of the designs."""
     points = options.get("samples", 0) + MORE_POINTS[system]
-    known = {"place": options.get("places", 0), "point": points, "row": rows}
+    known = {"place": options.get("max_count", 0), "point": points, "row": rows}
     own = set(row.columns[system].values())
     return tuple((axis, known[axis]) for axis in INNER if axis in own)
 

@@ -115,7 +115,7 @@ class Grid(Unchanging, ManyQuestions[Any]):
 
         path      -- folder of the store, which every worker of a cluster must reach; or another store that Zarr accepts
         question  -- name of the method, such as "saddle_node_onset"
-        arguments -- arguments of this question, such as F_0, Omega and places
+        arguments -- arguments of this question, such as F_0, Omega and max_count
 
         Blocks are the chunks of the parameters, or about 250,000 designs along unchunked axes. After an interruption, a
         call with the same numbers computes the missing blocks, with the same bits; until then the attribute `complete`
@@ -175,8 +175,8 @@ class Grid(Unchanging, ManyQuestions[Any]):
     def _check(self, question: str, options: Mapping[str, Any], arguments: Mapping[str, Any], workers: int) -> None:
         """Raises ValueError for what is the same for all designs and not allowed, before anything is computed."""
         validate.workers(workers)
-        if "places" in options:
-            validate.count("places", options["places"], least=1)
+        if "max_count" in options:
+            validate.count("max_count", options["max_count"], least=1)
         if "samples" in options:
             validate.curve(options["samples"], options["Omega"])
         if options.get("after") is not None:

@@ -44,7 +44,7 @@ class Designs(many.Designs):
             return random_many.answer(self, **kwargs, workers=workers)
         if (combined := getattr(batch_checks, question, None)) is None:
             return super()._ask(question, workers=workers, **kwargs)
-        if "places" in kwargs:
-            kwargs["places"] = validate.count("places", kwargs["places"], least=1)
+        if "max_count" in kwargs:
+            kwargs["max_count"] = validate.count("max_count", kwargs["max_count"], least=1)
         found: Batch = combined(self, **kwargs, workers=workers)
         return found

@@ -182,11 +182,11 @@ class OffCentreDesigns(many.Designs):
 
         options -- what the question takes that is the same for all designs
         """
-        places = validate.count("places", options["places"], least=1) if "places" in options else 0
+        max_count = validate.count("max_count", options["max_count"], least=1) if "max_count" in options else 0
         arguments = {name: validate.real_array(name, value) for name, value in at.items()}
         values = {**self.values, **arguments}
         shape = validate.common_shape(values)
-        columns, remarks = question.blank(places, Status.INVALID, shape), np.zeros(shape, np.uint16)
+        columns, remarks = question.blank(max_count, Status.INVALID, shape), np.zeros(shape, np.uint16)
         at_centre = np.zeros(shape, dtype=bool)
         if self.mechanism.odd and AVERAGING in QUESTIONS[question.name].columns:
             at_centre = np.broadcast_to(self.values["load"] == 0, shape)
@@ -197,7 +197,7 @@ class OffCentreDesigns(many.Designs):
                 column[at_centre] = _of_centred(centred, name)
             remarks[at_centre] = centred.remarks
         for place, own, numbers in self._each(~at_centre, *arguments.values()):
-            found, remarks[place] = self._of_one(question, tuple(own), dict(zip(at, numbers, strict=True)), places)
+            found, remarks[place] = self._of_one(question, tuple(own), dict(zip(at, numbers, strict=True)), max_count)
             many._put(list(columns.values()), place, found)
         return OffCentreBatch(question.name, columns, self, at, OFFSET, remarks=remarks)
 
@@ -214,7 +214,7 @@ class OffCentreDesigns(many.Designs):
         found: Batch = ask(**options, workers=workers)
         return found
 
-    def _of_one(self, question: Question, numbers: tuple[float, ...], at: dict[str, float], places: int) -> Found:
+    def _of_one(self, question: Question, numbers: tuple[float, ...], at: dict[str, float], max_count: int) -> Found:
         """One design's answer, with a status in place of an exception."""
         assert question.one is not None
         name, F_0 = question.name, at.get("F_0")
@@ -227,13 +227,13 @@ class OffCentreDesigns(many.Designs):
             dynamic = F_0 is not None or name == "saddle_node_onset"
             damps = not dynamic or Flow.of(single.model.unloaded).damps
             if F_0 is not None and single.model.sticks(F_0) and not (damps and name in ("margins", "amplitudes")):
-                return question.blank(places, Status.STICKS), Remark(0)
+                return question.blank(max_count, Status.STICKS), Remark(0)
             if not damps:
-                return question.blank(places, Status.UNBOUNDED), Remark(0)
-            found: Found = question.one(question, places, single, *at.values())
+                return question.blank(max_count, Status.UNBOUNDED), Remark(0)
+            found: Found = question.one(question, max_count, single, *at.values())
             return found
         except (ValueError, ArithmeticError) as error:
-            return question.blank(places, failed(error)), Remark(0)
+            return question.blank(max_count, failed(error)), Remark(0)
 
     def _single(self, numbers: tuple[float, ...]) -> OffCentre:
         """One design, which keeps for a while what it has been asked already. Raises ValueError for what is none."""
@@ -274,11 +274,11 @@ def _runs(Omega: Floats, F_0: Floats) -> list[slice]:
     return [slice(*pair) for pair in ends.tolist()]
 
 
-def _columns(question: Question, places: int, single: OffCentre, *at: float) -> Found:
+def _columns(question: Question, max_count: int, single: OffCentre, *at: float) -> Found:
     """A single answer in the columns of a batch."""
     name, row = question.name, QUESTIONS[question.name]
     found = getattr(single, name)(**dict(zip((*row.takes, *row.may), at, strict=False)))
-    columns = question.columns(found, places)
+    columns = question.columns(found, max_count)
     status = columns["status"]
     if name in ("detachment", "saddle_node_onset") and status == Status.NONE and Remark.UNDECIDED in found.remarks:
         status[...] = Status.UNRESOLVED
@@ -288,14 +288,14 @@ def _columns(question: Question, places: int, single: OffCentre, *at: float) -> 
 
 
 def _curve(
-    samples: int, window: tuple[float, float], question: Question, places: int, single: OffCentre, F_0: float
+    samples: int, window: tuple[float, float], question: Question, max_count: int, single: OffCentre, F_0: float
 ) -> Found:
     found, folds = single.frequency_response(F_0, samples=samples, Omega=window), single.saddle_nodes(F_0)
-    return question.columns((found, folds), places), folds.remarks | found.remarks
+    return question.columns((found, folds), max_count), folds.remarks | found.remarks
 
 
-def _margins(question: Question, places: int, single: OffCentre, F_0: float) -> Found:
-    found, onset, columns = single.margins(F_0), single.saddle_node_onset(), question.blank(places, Status.OK)
+def _margins(question: Question, max_count: int, single: OffCentre, F_0: float) -> Found:
+    found, onset, columns = single.margins(F_0), single.saddle_node_onset(), question.blank(max_count, Status.OK)
     unknown = Remark.UNDECIDED in onset.remarks
     for name in ("F_SN", "of_SN", "F_cr", "of_cr", "folds", "detaches", "sticks", "Omega_sticks"):
         missing = math.nan if unknown and name.endswith("_SN") else math.inf

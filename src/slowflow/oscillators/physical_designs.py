@@ -37,7 +37,7 @@ if TYPE_CHECKING:
 
     # the questions as a type checker knows them: `_asked` makes them of the table, which refuses further options
     class OfMounts(Protocol):
-        def __call__(self, *, places: int = 3, workers: int = 1) -> ManyQuantities: ...
+        def __call__(self, *, max_count: int = 3, workers: int = 1) -> ManyQuantities: ...
 
     class AtAmplitudes(Protocol):
         def __call__(
@@ -48,14 +48,14 @@ if TYPE_CHECKING:
             f: Numbers | Window | None = None,
             level_dB: Numbers = 0.0,
             samples: int = 1000,
-            places: int = 6,
+            max_count: int = 6,
             workers: int = 1,
             **at: Unpack[Amplitude[Numbers]],
         ) -> ManyQuantities: ...
 
     class AtTones(Protocol):
         def __call__(
-            self, *, f: Numbers, places: int = 6, workers: int = 1, **at: Unpack[Amplitude[Numbers]]
+            self, *, f: Numbers, max_count: int = 6, workers: int = 1, **at: Unpack[Amplitude[Numbers]]
         ) -> ManyQuantities: ...
 
     class Shocks(Protocol):
@@ -71,7 +71,7 @@ if TYPE_CHECKING:
 
     class Vibration(Protocol):
         def __call__(
-            self, *, psd: tuple[Numbers, Numbers] | Columns, unit: str = "g^2/Hz", places: int = 3, workers: int = 1
+            self, *, psd: tuple[Numbers, Numbers] | Columns, unit: str = "g^2/Hz", max_count: int = 3, workers: int = 1
         ) -> ManyQuantities: ...
 else:  # whose columns are read by name
     Many = object
@@ -178,7 +178,7 @@ class PhysicalDesigns(TakesAmplitude, Unchanging):
     Made by `mount.many(k_h=..., m=...)`. The questions are those of the mount that `Isolator.many` has too, with the
     mount's arguments, each a number or an array, and with the options of the batch:
 
-    places  -- largest number of entries per mount, along an additional axis
+    max_count  -- largest number of entries per mount, along an additional axis
     workers -- threads that share the mounts, -1 for one per processor
 
     A mount without a result raises nothing: `.status` has the reason. Mounts of different m, k_v or L are evaluated

@@ -25,17 +25,17 @@ CHUNK = 2**13
 DAMPED_BY = "mu", "zeta", "c_2", "c_3", "zeta_2", "released", "load"
 
 
-def answer(designs: Designs, S_0: Any, psd: Any, places: int, workers: int = 1) -> Batch:
+def answer(designs: Designs, S_0: Any, psd: Any, max_count: int, workers: int = 1) -> Batch:
     """See `random` of `slowflow.answers.table.ManyQuestions`."""
     validate.is_in_time("random", designs.values)
     released = designs.contact != THROUGHOUT
     excitation = excited_by(None if S_0 is None else 1.0, psd)
-    places, threads = validate.count("places", places, least=1), validate.workers(workers)
+    max_count, threads = validate.count("max_count", max_count, least=1), validate.workers(workers)
     power = {} if S_0 is None else {"S_0": validate.real_array("S_0", S_0)}
     numbers = {**designs.values, **power}
     shape = validate.common_shape(numbers)
     own = {name: np.broadcast_to(value, shape).ravel().astype(float) for name, value in numbers.items()}
-    found = QUESTIONS["random"].blank(AVERAGING, own["mu"].shape, place=places)
+    found = QUESTIONS["random"].blank(AVERAGING, own["mu"].shape, place=max_count)
     (status := found["status"])[...] = Status.INVALID
     valid = np.broadcast_to(_are_designs(designs, workers), shape).ravel()
     valid = valid & np.isfinite(own.get("load", 0.0))
@@ -48,7 +48,7 @@ def answer(designs: Designs, S_0: Any, psd: Any, places: int, workers: int = 1) 
 
     def solve(part: tuple[Any, ...]) -> None:
         chunk = batched[part]
-        motions, count = np.full((chunk.size, places, NUMBERS), np.nan), np.empty(chunk.size, np.int8)
+        motions, count = np.full((chunk.size, max_count, NUMBERS), np.nan), np.empty(chunk.size, np.int8)
         some = {name: value[chunk] for name, value in own.items()}
         some["released"] = np.full(chunk.size, released)
         constants, ends, damping = design_rows(designs.mechanism, some, DAMPED_BY)
@@ -60,7 +60,7 @@ def answer(designs: Designs, S_0: Any, psd: Any, places: int, workers: int = 1) 
         for name, value in values.items():
             found[name][chunk] = value
         found["count"][chunk] = np.maximum(count, 0)
-        status[chunk] = np.where(count > places, Status.TOO_MANY, np.where(count > 0, Status.OK, Status.UNRESOLVED))
+        status[chunk] = np.where(count > max_count, Status.TOO_MANY, np.where(count > 0, Status.OK, Status.UNRESOLVED))
 
     batched = np.flatnonzero(together)
     map_chunks(solve, blocks(batched.shape, CHUNK), threads, lambda part: batched[part].size, batched.size)
@@ -74,9 +74,9 @@ def answer(designs: Designs, S_0: Any, psd: Any, places: int, workers: int = 1) 
             status[k] = failed(error)
             continue
         found["count"][k] = count = motions["u_rms"].size
-        status[k] = Status.TOO_MANY if count > places else Status.OK
+        status[k] = Status.TOO_MANY if count > max_count else Status.OK
         for name, value in motions.items():
-            found[name][k, :count] = value[:places]
+            found[name][k, :count] = value[:max_count]
     found = {name: value.reshape((*shape, *value.shape[1:])) for name, value in found.items()}
     system = OFFSET if "load" in designs.values else AVERAGING
     return Batch("random", found, designs, power, system, remarks=np.zeros(shape, np.uint16))

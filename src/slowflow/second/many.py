@@ -86,12 +86,12 @@ class SecondDesigns(ManyQuestions[SecondBatch]):
         """The answer to a question by its name, from what its method takes."""
         row = QUESTIONS[question]
         at = {name: kwargs[name] for name in row.takes}
-        places = validate.count("places", kwargs.get("places", 1), least=1)
+        max_count = validate.count("max_count", kwargs.get("max_count", 1), least=1)
         if question == "frequency_response":
             columns = self.first.ask(_curves(*validate.curve(kwargs["samples"], kwargs["Omega"])), 1, **at)
         else:
             threads = 1 if question == "amplitudes" else workers
-            columns = self.first.ask(BY_NAME[question], threads, places=places, **at)
+            columns = self.first.ask(BY_NAME[question], threads, max_count=max_count, **at)
         if question == "amplitudes":
             self._insert_states_at_rest(columns, **at)
         values = dict(zip(row.columns[SECOND], columns, strict=True))

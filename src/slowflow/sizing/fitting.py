@@ -536,8 +536,8 @@ def _nearest(
 def _of_doubles(designs: Any, question: Question, **at: Floats) -> Any:
     """The folds or states of designs, about the centre by doubles alone."""
     if isinstance(designs, OffCentreDesigns):
-        return getattr(designs, question.name)(places=MAX_COUNT, **at)
-    columns = designs.ask(question, 1, places=MAX_COUNT, **at)
+        return getattr(designs, question.name)(max_count=MAX_COUNT, **at)
+    columns = designs.ask(question, 1, max_count=MAX_COUNT, **at)
     if question is AMPLITUDES:
         A, stable, *_ = columns
         designs._leave_out_what_drifts(at["Omega"][..., np.newaxis], A, stable)
