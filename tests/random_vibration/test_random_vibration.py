@@ -281,6 +281,16 @@ def test_quadratic_damping_alone_suffices_under_white_noise():
         Duffing(alpha, 0.0, zeta=0.0, c_2=c_2).random(psd=FLOOR)
 
 
+@pytest.mark.parametrize(
+    ("slope", "eta", "excess"), ((0, 0.1, 0.0019), (0, 0.3, 0.0160), (-2, 0.1, 0.0047), (-2, 0.3, 0.0422))
+)
+def test_viscous_damping_stands_for_structural_damping(slope, eta, excess):
+    """A stiffness 1 + i eta under a density from 1/20 to 20, as docs/howto/random_vibration.md has it."""
+    found = Duffing(1.0, 0.0, zeta=eta / 2).random(psd=([0.05, 20.0], [0.05**slope, 20.0**slope]))
+    structural = quad(lambda W: W**slope / ((1 - W**2) ** 2 + eta**2), 0.05, 20.0, points=(1.0,), limit=500)[0]
+    assert found.u_rms[0] / math.sqrt(structural) - 1 == pytest.approx(excess, abs=2e-4)
+
+
 def test_weak_damping_comes_to_miles_equation():
     """The acceleration of a mount on a flat base spectrum is sqrt(pi/2 f_n Q G), Q = 1/(2 zeta)."""
     mount = Isolator.physical(**{**MOUNT, "preload": 0.0, "friction": 0.0, "zeta": 0.005})
