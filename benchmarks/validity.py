@@ -52,10 +52,15 @@ TRUNCATION_PRELOADS = (0.03, 0.06, 0.1, 0.15, 0.2, 0.3, 0.4)  # lam r delta_h = 
 BINS = (0.0, 0.25, 0.35, 0.45, 0.525, 0.575, 0.625, 0.675, 0.72)
 REST_BINS = (0.0, 0.05, 0.1, 0.2, 0.3, 0.5, 0.7, 1.0, 1.5, 3.0)
 SHIFT = 0.01  # relative change of frequency that a misfit leaves free
-# statistical linearization: springs by name, each with sigma_u over its breakpoint; how far the spectrum, flat in a
-# band, reaches below and above the equivalent natural frequency, infinitely of white noise; friction's share of damping
-RANDOM_LEVELS = {"isolator": (0.25, 0.5, 1.0), "stops": (0.5, 1.0)}
-RANDOM_BANDS = (math.inf, 4.0, 2.0, 1.25)
+# statistical linearization: springs by name, each with means of u and sigma_u over its breakpoint; how far the
+# spectrum, flat in a band, reaches below and above the equivalent natural frequency, infinitely of white noise;
+# friction's share of the damping
+RANDOM_MAPS = (
+    ("isolator", (0.0,), (0.25, 0.5, 1.0), (math.inf, 4.0, 2.0, 1.25)),
+    ("stops", (0.0,), (0.5, 1.0), (math.inf, 4.0, 2.0, 1.25)),
+    ("isolator", (0.5, 1.0), (0.25, 0.5, 1.0), (math.inf, 2.0, 1.25)),
+    ("one stop", (0.0,), (0.5, 1.0, 2.0), (math.inf, 2.0, 1.25)),
+)
 RANDOM_SHARES = (0.0, 0.3, 0.6, 0.8, 0.9, 0.95)
 RANDOM_ZETA = 0.05
 RANDOM_SAMPLES = 4_000_000
@@ -421,28 +426,40 @@ def table_2() -> list[dict[str, Any]]:
 
 
 def random() -> list[dict[str, Any]]:
-    """Errors of the root mean squares of u and v under random excitation, and the margins of the records of motion."""
-    springs = {"isolator": example.isolator, "stops": functools.partial(derive.library("elastic_stop"), **RANDOM_STOPS)}
-    x, step = np.linspace(0.0, 10.0, 20_001, retstep=True)
-    density = np.exp(-0.5 * x**2) * math.sqrt(2 / math.pi) * step
+    """Errors of mean and root mean squares of u, v under random excitation, and the margins of the records of motion.
+
+    About a mean, which a load holds where it is; its error is in root mean squares of u.
+    """
+    stops = {
+        name: functools.partial(derive.library(name), **RANDOM_STOPS) for name in ("elastic_stop", "one_sided_stop")
+    }
+    springs = {"isolator": example.isolator, "stops": stops["elastic_stop"], "one stop": stops["one_sided_stop"]}
+    x, step = np.linspace(-10.0, 10.0, 40_001, retstep=True)
+    density = np.exp(-0.5 * x**2) / math.sqrt(2 * math.pi) * step
     out = []
-    for spring, levels in RANDOM_LEVELS.items():
+    for spring, means, levels, bands in RANDOM_MAPS:
         force = springs[spring](mu=0.0, zeta=RANDOM_ZETA).restoring_force()
-        for level, band, dry in itertools.product(levels, RANDOM_BANDS, RANDOM_SHARES):
-            u = level * force.first_end
-            k = float((x * force(u * x) * density).sum()) / u
+        for mean, level, band, dry in itertools.product(means, levels, bands, RANDOM_SHARES):
+            B, u = mean * force.first_ends[1], level * force.first_ends[1]
+            f = force(B + u * x) * density
+            k, load = float((x * f).sum()) / u, {} if force.odd and not mean else {"load": float(f.sum())}
             c = 2 * RANDOM_ZETA / (1 - dry)
             v, excitation = _exciting(u, k, c, band)
             mu = math.sqrt(math.pi / 2) * dry * c * v
-            found = springs[spring](mu=mu, zeta=RANDOM_ZETA).random(**excitation)
+            found = springs[spring](mu=mu, zeta=RANDOM_ZETA, **load).random(**excitation)
             record = found.measure(samples=RANDOM_SAMPLES, records=24)
-            cell = {"spring": spring, "level": level, "band": band, "dry": dry, "motions": len(found)}
-            ways = {"linearized": found[int(np.abs(found.u_rms - u).argmin())]}
-            if band == math.inf:
+            cell = {"spring": spring, "mean": mean, "level": level, "band": band, "dry": dry, "motions": len(found)}
+            near = int(np.hypot(found.B - B, found.u_rms - u).argmin())
+            ways = {"linearized": found[near]}
+            if band == math.inf and not load:
                 ways["by energy"] = found.by_energy
             for way, one in ways.items():
                 cell[way] = [one.u_rms / record.u_rms - 1, one.v_rms / record.v_rms - 1]
             cell["margin"] = [record.u_margin / record.u_rms, record.v_margin / record.v_rms]
+            if load:
+                cell["linearized"].insert(0, (found.B[near] - record.B) / record.u_rms)
+                cell["margin"].insert(0, record.B_margin / record.u_rms)
+                cell["marked"] = bool(found.message)
             out.append({**cell, "beyond": [ways["linearized"].beyond, record.beyond]})
     return out
 

@@ -339,10 +339,11 @@ def _table_2(rows: list[dict[str, Any]]) -> str:
     return "\n".join(table(("answer", *ways), cells))
 
 
-def _random(rows: list[dict[str, Any]]) -> dict[str, str]:
-    """Errors of random vibration by friction's share of the damping, and the largest of some of these."""
+def _random_table(rows: list[dict[str, Any]], *numbers: str) -> str:
+    """Errors of random vibration by friction's share of the damping; lines are named by these numbers of a cell."""
+    what = "mean and sigma_u over its" if "mean" in numbers else "sigma_u over its"
     shares = (f"{dry:g}" for dry in sorted({row["dry"] for row in rows}))
-    head = ("spring, sigma_u over its breakpoint", "excitation", *shares)
+    head = (f"spring, {what} breakpoint", "excitation", *shares)
     lines: list[tuple[str, ...]] = []
 
     def errors(cells: Iterable[dict[str, Any]], way: str) -> Iterable[str]:
@@ -350,21 +351,45 @@ def _random(rows: list[dict[str, Any]]) -> dict[str, str]:
         for cell in cells:
             yield " / ".join(f"{100 * error:+.1f}" for error in cell[way]) + "*" * (cell["motions"] > 1)
 
-    for (spring, level, band), cells in itertools.groupby(rows, lambda row: (row["spring"], row["level"], row["band"])):
+    for (name, band), cells in itertools.groupby(
+        rows, lambda row: (", ".join([row["spring"], *(f"{row[name]:g}" for name in numbers)]), row["band"])
+    ):
         some = list(cells)
         within = "white noise" if band is None else f"Omega_e/{band:g} to {band:g} Omega_e"
-        lines.append((f"{spring}, {level:g}", within, *errors(some, "linearized")))
-        if band is None:
+        lines.append((name, within, *errors(some, "linearized")))
+        if "by energy" in some[0]:
             lines.append(("", "by energy", *errors(some, "by energy")))
+    return "\n".join(table(head, lines))
+
+
+def _random(rows: list[dict[str, Any]]) -> dict[str, Any]:
+    """Errors of random vibration about the centre and about a mean, and the largest of some of these."""
+    offset = [row for row in rows if "marked" in row]
+    rows = [row for row in rows if "marked" not in row]
 
     def largest(way: str, dry: float, *springs: str, narrow: bool = False) -> str:
         chosen = [row for row in rows if row["spring"] in springs and row["dry"] <= dry]
         return _largest(error for row in chosen if (row["band"] == NARROWEST) == narrow for error in row.get(way, ()))
 
+    def largest_about(spring: str, *numbers: int, shares: tuple[float, ...], narrow: bool = False) -> str:
+        """Of the mean (0), u_rms (1), v_rms (2)."""
+        chosen = [row for row in offset if row["spring"] == spring and row["dry"] in shares]
+        some = [row["linearized"] for row in chosen if (row["band"] == NARROWEST) == narrow]
+        return _largest(errors[number] for errors in some for number in numbers)
+
+    few, more = (0.0, 0.3, 0.6), (0.0, 0.3, 0.6, 0.8)
     rare = next(row for row in rows if (row["level"], row["band"], row["dry"]) == (0.25, None, 0.8))
     return {
-        "random": "\n".join(table(head, lines)),
+        "random": _random_table(rows, "level"),
+        "random_about": _random_table(offset, "mean", "level"),
         "random_margin": _largest(margin for row in rows for margin in row["margin"]),
+        "random_about_margin": _largest(margin for row in offset for margin in row["margin"]),
+        "random_about_isolator": largest_about("isolator", 1, 2, shares=few),
+        "random_about_mean": largest_about("isolator", 0, shares=few),
+        "random_about_dry": largest_about("isolator", 1, shares=(0.8,)),
+        "random_about_stop": largest_about("one stop", 1, shares=more),
+        "random_about_stop_v": largest_about("one stop", 2, shares=more),
+        "random_about_stop_mean": largest_about("one stop", 0, shares=more, narrow=True),
         "random_at_6": largest("linearized", 0.6, "isolator"),
         "random_at_8": largest("linearized", 0.8, "isolator"),
         "random_narrow": largest("linearized", 0.8, "isolator", narrow=True),

@@ -245,6 +245,16 @@ def test_a_force_that_is_not_linear_about_its_mean_is_named(stop):
     assert "several equilibria" not in well.replace(load=0.5).random(S_0=8e-3).message
 
 
+def test_friction_about_a_mean_is_named_from_a_lower_fraction():
+    """Without by_energy, which there is about the centre only."""
+    one, S_0 = Isolator(**DESIGN, mu=0.02, zeta=0.02), 1e-3
+    centred, found = one.random(S_0=S_0), one.replace(load=0.04).random(S_0=S_0)
+    assert 0.6 < found.dry[0] < 0.8 and centred.dry[0] < 0.8
+    assert centred.message == "" and "above 0.6 root mean squares" in found.message
+    assert "by_energy" in one.replace(mu=0.05).random(S_0=S_0).message
+    assert "by_energy" not in one.replace(mu=0.05, load=0.04).random(S_0=S_0).message
+
+
 # ---- motions in time
 
 

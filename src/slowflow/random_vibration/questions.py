@@ -29,9 +29,9 @@ THROUGHOUT = 40.0
 #: of a stationary motion: `sf_stationary` of `native/exact/gaussian.h`
 NUMBERS = 8
 #: up to these shares in the damping sigma_u and sigma_v were within 5 % of records of the motion: of friction
-#: throughout, of friction that ends, of c_2, c_3 and zeta_2; and from so many times the lowest frequency of the
-#: excitation to its highest one (docs/validity.md)
-MOST_DRY, MOST_ATTACHED, MOST_NONLINEAR, NARROW = 0.8, 0.5, 0.5, 4.0
+#: throughout about the centre and about a mean, of friction that ends, of c_2, c_3 and zeta_2; and from so many times
+#: the lowest frequency of the excitation to its highest one (docs/validity.md)
+MOST_DRY, MOST_DRY_ABOUT, MOST_ATTACHED, MOST_NONLINEAR, NARROW = 0.8, 0.6, 0.5, 0.5, 4.0
 STUCK = "friction holds the mass nearly all of the time: no linear damping is equivalent to it"
 NOT_PUSHED_BACK = (
     "random vibration about a mean needs a spring force that exceeds the load far from it on both sides: this one does "
@@ -76,13 +76,13 @@ def random(oscillator: Any, system: EquationOfMotion, S_0: Any, psd: Any) -> Ran
     """See `slowflow.oscillators.oscillator.Oscillator.random`."""
     excitation = excited_by(S_0, psd)
     columns = stationary(system, excitation)
-    u, dry, white = columns["u_rms"], columns["dry"], isinstance(excitation, White)
-    most = MOST_ATTACHED if system.released else MOST_DRY
+    u, dry, by_energy = columns["u_rms"], columns["dry"], system.centred and isinstance(excitation, White)
+    most = MOST_ATTACHED if system.released else MOST_DRY if system.centred else MOST_DRY_ABOUT
     nonlinear = 1 - dry - 2 * system.zeta / columns["damping"]
     message = joined(
         SEVERAL.format(u.size) if u.size > 1 else "",
-        DRY.format(float(dry.max()), most, NEARER * white) if (dry > most).any() else "",
-        NONLINEAR.format(float(nonlinear.max()), MOST_NONLINEAR, NEARER_NONLINEAR * white)
+        DRY.format(float(dry.max()), most, NEARER * by_energy) if (dry > most).any() else "",
+        NONLINEAR.format(float(nonlinear.max()), MOST_NONLINEAR, NEARER_NONLINEAR * by_energy)
         if (nonlinear > MOST_NONLINEAR).any()
         else "",
         "" if system.centred else _about_means(system, columns),
