@@ -8,10 +8,8 @@
 
 #include "many_lanes.h"
 
-/* parts of a piece that begins at A = 0 in which a peak is looked for, from above: next to 0 nothing is known over all
- * of one */
-enum { SF_PEAK_PARTS = 3 };
-static const double sf_peak_parts[SF_PEAK_PARTS + 1] = {1, 0.5, 0.25, 0.125};
+/* how often a piece that begins at A = 0 is halved in the search for a peak: next to 0 nothing is known over all of one */
+enum { SF_PEAK_HALVES = 12 };
 
 /* With the cell from the last breakpoint on. */
 static int sf_enter_peak(const sf_call *at, const sf_exact_block *exact, sf_lane_block *block, int d) {
@@ -29,15 +27,15 @@ static int sf_enter_peak(const sf_call *at, const sf_exact_block *exact, sf_lane
     return 1;
 }
 
-/* Below a last piece without a peak, a part of the first piece. */
-static void sf_begin_below(sf_lane_block *block, int d, int part) {
+/* Below a last piece without a peak, the first piece or what is left of it: its upper half. */
+static void sf_begin_below(sf_lane_block *block, int d, int halved) {
     sf_lane_design *of = &block->at[d];
     if (of->model.breaks != 1) {
         of->ok = 0;
         return;
     }
-    const sf_sample low = sf_average_at(&of->model, sf_peak_parts[part + 1] * of->model.b[0]);
-    const sf_sample high = sf_average_at(&of->model, sf_peak_parts[part] * of->model.b[0]);
+    const sf_sample low = sf_average_at(&of->model, ldexp(of->model.b[0], -halved - 1));
+    const sf_sample high = sf_average_at(&of->model, ldexp(of->model.b[0], -halved));
     sf_add_cell(block, d, 0, &low, &high);
 }
 
@@ -51,7 +49,7 @@ static void sf_search_peaks(sf_lane_block *block) {
         sf_judge_peaks(cells);
         for (int i = 0; i < cells->n; i++) {
             const int has_one = cells->verdict[i] == SF_HAS_ONE,
-                      has_none = round < SF_PEAK_PARTS && cells->verdict[i] == SF_HAS_NONE;
+                      has_none = round < SF_PEAK_HALVES && cells->verdict[i] == SF_HAS_NONE;
             with_one[n_one] = without[n_none] = others[n_others] = i;
             n_one += has_one, n_none += has_none, n_others += !has_one && !has_none;
         }
