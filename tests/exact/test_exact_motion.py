@@ -475,3 +475,15 @@ def test_motion_is_stable_where_both_multipliers_are_small():
     first, last = sorted(int(np.argmin(np.hypot(curve.Omega - fold.Omega, curve.A - fold.A))) for fold in curve.folds)
     assert last > first + 3 and not curve.stable[first : last + 1].any()
     assert curve.stable[:first].all() and curve.stable[last + 1 :].all()
+
+
+def test_static_friction_holds_where_it_hardly_suffices():
+    """The mass turns where the force on it is more than nine tenths of it: by SciPy from switch to switch."""
+    spring, Omega, F_0 = Duffing(1.15, 0.5, 0.0392, 0.024, mu_s=0.0462), 0.614, 0.1
+    found = spring.steady_state(Omega=Omega, F_0=F_0)
+    u, theta = found.unknowns[:2]
+    span, push = (theta / Omega, (theta + 2 * math.pi) / Omega), lambda tau: F_0 * math.cos(Omega * tau)
+    ways = list(by_time.stretches(spring, lambda u: 1.15 * u + 0.5 * u**3, push, span, (u, 0.0)))
+    assert ways[-1].u[-1] == pytest.approx(u, rel=1e-6) and found.A == pytest.approx(abs(u), rel=1e-12)
+    rests = [abs(push(one.t[0]) - 1.15 * one.u[0] - 0.5 * one.u[0] ** 3) for one in ways if one.slip == 0]
+    assert found.stops == 2 <= len(rests) and min(rests) > 0.9 * spring.mu_s
