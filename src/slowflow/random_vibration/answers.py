@@ -44,9 +44,10 @@ class RandomResponse(Drawn, Table, entry="Stationary"):
     dry           -- fraction of the damping due to dry friction, on which the accuracy depends
     message       -- diagnostics as text
 
-    Without a load it is proved that there are no other motions about the centre. With a load, or for an asymmetric
-    force, it is proved that there are no others within the range of mean and RMS that samples of the force allow,
-    widened by a quarter. See `native/exact/linearized.h` and `native/exact/offset.h`.
+    It is proved that there are no other motions: without a load about the centre, with a load or for an asymmetric
+    force about any mean. There the proof assumes that a force which is no polynomial is near its Legendre series of
+    degree 7 in each of some 300 cells, and under a table it begins at the RMS that stiffnesses on a grid allow. See
+    `native/exact/linearized.h` and `native/exact/offset.h`.
     """
 
     picture: ClassVar[str] = "psd"

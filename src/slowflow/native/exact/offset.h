@@ -8,7 +8,11 @@
  *
  * and as E[He_n^2] = n! what higher orders add is bounded by the mean square of the force (derivations/extensions/
  * linearization.py). So one pass over the force bounds both equations and their slopes on a box of m and ln(sigma): it holds
- * no motion, or one by the interval Newton method, or it is cut. */
+ * no motion, or one by the interval Newton method, or it is cut.
+ *
+ * Boxes cover all motions with displacements up to SF_ABOVE times the sizes that there are: how the force pushes back bounds m
+ * and sigma, its slopes and jumps bound k, and that bounds sigma from below: under white noise by sigma^2 k, under a table by
+ * the least I_0 of a grid of stiffnesses. */
 #pragma once
 
 #include "linearized.h"
@@ -26,13 +30,11 @@ enum { SF_ORDERS = 12, SF_TAIL = 56, SF_SLOPES = 4, SF_MOST_BOXES = 200000 };
 #define SF_ROOM 0x1p-20
 /* one motion, of two that are found next to each other */
 #define SF_ONE_MOTION 1e-7
-/* samples of the force on either side; decades below and above the sizes that there are; by how much more than what they
- * say is searched; every so many bounds are tried */
-enum { SF_FAR_SAMPLES = 160, SF_TRIED = 15, SF_STIFFNESSES = 64 };
+/* cells of u on either side; decades below and above the sizes that there are; every so many bounds are tried */
+enum { SF_FAR_CELLS = 160, SF_MOST_FAR_CELLS = 4 * SF_FAR_CELLS, SF_TRIED = 15, SF_STIFFNESSES = 64 };
 #define SF_SOFTER 40.0
 #define SF_BELOW 1e-4
 #define SF_ABOVE 1e6
-#define SF_MORE 1.25
 
 /* at a mean and a sigma: A_n, the mean square of f - load, and the square root of what of that is in higher orders */
 typedef struct {
@@ -267,60 +269,109 @@ static void sf_search_offset(sf_offset *of, sf_offset_box box)
     sf_cut_offset(of, &box, wide);
 }
 
-/* f - load at samples on both sides, and next to either side of each edge */
+/* Where |u| is in a cell of one piece and on one side of 0, with how much f - load pushes back there at least, and its
+ * largest slope. */
+typedef struct {
+    double near, far, push, slope;
+} sf_far_cell;
+
+/* Cells up to far from 0; P: Legendre polynomials, by order and node of Gauss's rule */
 typedef struct {
     int count;
-    double u[4 * SF_FAR_SAMPLES], f[4 * SF_FAR_SAMPLES];
-} sf_far_samples;
+    sf_far_cell at[SF_MOST_FAR_CELLS];
+    double P[SF_IN_PART][SF_IN_PART];
+} sf_far_cells;
 
-static void sf_put_sample(const sf_system *system, double u, sf_far_samples *to)
+static inline double sf_in_cell(int j) { return j < SF_NODES ? -sf_gauss_node[j] : sf_gauss_node[j - SF_NODES]; }
+
+static void sf_put_legendre(sf_far_cells *to)
 {
-    const double f = sf_value(sf_piece_of(system, sf_region_of(system, u)), u) - system->load;
-    if (!isnan(f) && to->count < 4 * SF_FAR_SAMPLES)
-        to->u[to->count] = u, to->f[to->count++] = f;
+    for (int j = 0; j < SF_IN_PART; j++) {
+        to->P[0][j] = 1.0, to->P[1][j] = sf_in_cell(j);
+        for (int n = 1; n + 1 < SF_IN_PART; n++)
+            to->P[n + 1][j] = ((2 * n + 1) * to->P[1][j] * to->P[n][j] - n * to->P[n - 1][j]) / (n + 1);
+    }
+}
+
+/* A cell by its Legendre series, as |P_n| is at most 1 and its slope n (n + 1)/2. Polynomials have no other orders, up to a
+ * degree of 7; of other forces these are taken to add as much as SF_IN_PART times the last two at most. */
+static void sf_put_cell(const sf_piece *piece, double load, double low, double high, sf_far_cells *to)
+{
+    const double m = 0.5 * (low + high), h = 0.5 * (high - low), side = low < 0.0 ? -1.0 : 1.0;
+    double f[SF_IN_PART], mean = 0.0, varies = 0.0, steepest = 0.0;
+    for (int j = 0; j < SF_IN_PART; j++)
+        f[j] = sf_gauss_weight[j % SF_NODES] * (sf_value(piece, m + h * sf_in_cell(j)) - load);
+    for (int n = 0; n < SF_IN_PART; n++) {
+        double of_n = 0.0;
+        for (int j = 0; j < SF_IN_PART; j++)
+            of_n += (n + 0.5) * f[j] * to->P[n][j];
+        const double size = fabs(of_n) * (n + 2 < SF_IN_PART ? 1 : 1 + SF_IN_PART);
+        if (n == 0)
+            mean = side * of_n;
+        else
+            varies += size;
+        steepest += n == 1 ? of_n : 0.5 * n * (n + 1) * size;
+    }
+    const double near = fmin(fabs(low), fabs(high)), far = fmax(fabs(low), fabs(high));
+    if (to->count == SF_MOST_FAR_CELLS) /* what has no room is taken to push away */
+        to->at[0].push = -HUGE_VAL;
+    else if (!isnan(mean)) /* there is a force */
+        to->at[to->count++] = (sf_far_cell){near, far, mean - varies, steepest / h};
+}
+
+/* Of all pieces, in steps away from 0 that grow. */
+static void sf_put_cells(const sf_system *system, double nearest, double farthest, sf_far_cells *to)
+{
+    const double grows = pow(farthest / nearest, 1.0 / SF_FAR_CELLS);
+    sf_put_legendre(to);
+    for (int i = 0; i < system->pieces; i++) {
+        const double end = i + 1 < system->pieces ? fmin(system->edge[i + 1], farthest) : farthest;
+        for (double u = i ? system->edge[i] : -farthest, next; u < end; u = next) {
+            next = u < -grows * nearest ? u / grows : u < 0.0 ? 0.0 : u < nearest ? nearest : u * grows;
+            if (end - next < 0.5 * (next - u)) /* in a much narrower cell a slope is rounding */
+                next = end;
+            sf_put_cell(&system->piece[i], system->load, u, next, to);
+        }
+    }
 }
 
 /* How far m and sigma are from 0, where E[(u - m) f] is at most that: from u f >= a |u|^n - c, n = 1 or 2, follows that
  * a E|u|^n is at most c more. Infinite where far from 0 the force does not push back. */
-static double sf_farthest_motion(const sf_far_samples *of, double most)
+static double sf_farthest_motion(const sf_far_cells *of, double most)
 {
     double found = HUGE_VAL;
     for (int i = 0; i < of->count; i += SF_TRIED)
         for (int n = 1; n <= 2; n++) {
             double a = HUGE_VAL, c = 0.0;
-            for (int j = 0; j < of->count; j++) {
-                const double u = fabs(of->u[j]);
-                if (u >= fabs(of->u[i]))
-                    a = fmin(a, of->u[j] * of->f[j] / (n == 1 ? u : u * u));
-            }
-            for (int j = 0; a > 0.0 && j < of->count; j++) {
-                const double u = fabs(of->u[j]);
-                c = fmax(c, a * (n == 1 ? u : u * u) - of->u[j] * of->f[j]);
-            }
+            for (int j = 0; j < of->count; j++)
+                if (of->at[j].far > of->at[i].near)
+                    a = fmin(a, of->at[j].push / (n == 1 ? 1.0 : of->at[j].far));
+            for (int j = 0; a > 0.0 && j < of->count; j++)
+                c = fmax(c, of->at[j].far * (a * (n == 1 ? 1.0 : of->at[j].far) - of->at[j].push));
             if (a > 0.0) /* E|u| is at least sqrt(2/pi) sigma */
                 found = fmin(found, n == 1 ? (most + c) / (a * SF_DENSITY) : sqrt((most + c) / a));
         }
-    return SF_MORE * found;
+    return found;
 }
 
-/* The largest stiffness at a sigma, by slopes up to some |u|, and the height of jumps upwards. */
-static double sf_stiffest(const sf_system *system, const sf_far_samples *of, double farthest, double sigma)
+/* The largest stiffness at a sigma, E[f'], by slopes up to some |u|, and the height of jumps upwards. */
+static double sf_stiffest(const sf_system *system, const sf_far_cells *of, double farthest, double sigma)
 {
     double slope = 0.0, rises = 0.0;
     for (int i = 0; i < of->count; i++)
-        if (fabs(of->u[i]) <= farthest)
-            slope = fmax(slope, sf_slope(sf_piece_of(system, sf_region_of(system, of->u[i])), of->u[i]));
+        if (of->at[i].near <= farthest)
+            slope = fmax(slope, of->at[i].slope);
     for (int i = 1; i < system->pieces; i++)
         rises += fmax(sf_value(&system->piece[i], system->edge[i]) - sf_value(&system->piece[i - 1], system->edge[i]), 0.0);
-    return SF_MORE * (slope + 0.5 * SF_DENSITY * rises / sigma);
+    return slope + 0.5 * SF_DENSITY * rises / sigma;
 }
 
 /* ln(sigma) from which on, in steps, a motion may be: its sigma^2 is at least the least I_0 of stiffnesses up to the largest
  * one. Under a table that is looked up at samples, as I_0 has minima between its resonances. */
-static double sf_lowest_motion(sf_offset *of, const sf_far_samples *samples, double farthest, double step)
+static double sf_lowest_motion(sf_offset *of, const sf_far_cells *cells, double farthest, double step)
 {
     const double top = log(farthest);
-    const double stiffest = log(sf_stiffest(of->system, samples, (1.0 + SF_FARTHEST) * farthest, farthest / SF_SEARCHED));
+    const double stiffest = log(sf_stiffest(of->system, cells, (1.0 + SF_FARTHEST) * farthest, farthest / SF_SEARCHED));
     const double softest = fmax(log(of->soft), stiffest - SF_SOFTER), wide = (stiffest - softest) / (SF_STIFFNESSES - 1);
     double least[SF_STIFFNESSES], found = top;
     for (int i = 0; of->square == 0.0 && i < SF_STIFFNESSES; i++) {
@@ -330,7 +381,7 @@ static double sf_lowest_motion(sf_offset *of, const sf_far_samples *samples, dou
     }
     for (; found > top - log(SF_SEARCHED); found -= step) {
         const double sigma = exp(found);
-        const double p = log(sf_stiffest(of->system, samples, farthest + SF_FARTHEST * sigma, sigma));
+        const double p = log(sf_stiffest(of->system, cells, farthest + SF_FARTHEST * sigma, sigma));
         const double up_to = fmax(ceil((p - softest) / wide), 0.0);
         if (2.0 * found < (of->square > 0.0 ? log(of->square) - p : least[(int)fmin(up_to, SF_STIFFNESSES - 1)]))
             break;
@@ -362,19 +413,13 @@ static int sf_offset_motions(const sf_system *system, double power, const sf_tab
         if (system->edge[i] != 0.0)
             small = fmin(small, fabs(system->edge[i])), large = fmax(large, fabs(system->edge[i]));
     large = fmax(large, fabs(system->load));
-    sf_far_samples samples = {0};
-    const double grows = pow(large * SF_ABOVE / (small * SF_BELOW), 1.0 / SF_FAR_SAMPLES);
-    double u = small * SF_BELOW;
-    for (int i = 0; i < SF_FAR_SAMPLES; i++, u *= grows)
-        sf_put_sample(system, u, &samples), sf_put_sample(system, -u, &samples);
-    for (int i = 1; i < system->pieces; i++)
-        for (int side = -1; side <= 1; side += 2)
-            sf_put_sample(system, nextafter(system->edge[i], side * HUGE_VAL), &samples);
-    const double farthest = sf_farthest_motion(&samples, of.most);
+    sf_far_cells cells = {0};
+    sf_put_cells(system, small * SF_BELOW, large * SF_ABOVE, &cells);
+    const double farthest = sf_farthest_motion(&cells, of.most);
     if (!(farthest < HUGE_VAL))
         return -1;
     const double top = log(farthest), step = 2.0 * SF_MOST_HIGH / SF_OVERLAP;
-    const double lowest = sf_lowest_motion(&of, &samples, farthest, step);
+    const double lowest = sf_lowest_motion(&of, &cells, farthest, step);
     for (double t = top; t > lowest; t -= step)
         sf_search_offset(&of, (sf_offset_box){0.0, t - 0.5 * step, farthest, 0.5 * step});
     return 1;
