@@ -9,7 +9,6 @@
 #include "certificate.h"
 #include "onset.h"
 #include "proof.h"
-#include "proved_roots.h"
 
 /* an interval of Omega that is wider, relatively, is searched for roots */
 #define SF_BROAD 0x1p-20
@@ -57,18 +56,6 @@ static int sf_is_bounded(const sf_inputs *inputs, double F_0, double A) {
 
 /* ==== Folds at a forcing ========================================================================================== */
 
-static void sf_fold_on(const sf_proving *proving, const sf_cell *cell, int open, sf_range out[2]) {
-    (void)open;
-    sf_range_fold(&proving->terms, cell, &out[0]);
-}
-
-static sf_at_amplitude sf_at_cell(sf_roots_of of, const sf_terms *terms, const sf_cell *cell) {
-    sf_at_amplitude q;
-    q.of = of, q.A = cell->A, q.h = cell->h, q.h_A = cell->h_A, q.m = terms->m, q.zeta = terms->zeta,
-    q.F_0 = terms->F_0;
-    return q;
-}
-
 /* k on a cell that holds a fold, where its size is not below the least. */
 static sf_interval sf_k_of_fold(const sf_terms *terms, const sf_cell *cell) {
     const sf_interval k = cell->k;
@@ -88,12 +75,15 @@ static sf_interval sf_fold_Omega_on(const sf_terms *terms, const sf_cell *cell) 
     sf_interval Omega = sf_narrow_root(&q, fold[2]);
     if (Omega.hi - Omega.lo > SF_BROAD * Omega.hi) { /* two roots may lie in it: at the fold R has the sign of k */
         const int side = sf_sign_of(sf_k_of_fold(terms, cell));
-        sf_roots roots = {0};
+        sf_proof roots;
+        sf_interval root;
         int n = 0;
-        sf_roots_between(&q, Omega.lo, Omega.hi, &roots);
-        for (int i = 0; i < roots.n && !roots.full; i++)
-            if (sf_sign_of(slow_flow_intervals_R(roots.at[i], cell->A, cell->h)) != -side)
-                Omega = n++ > 0 ? sfi_join(Omega, roots.at[i]) : roots.at[i];
+        sf_prove_roots(&q, Omega.lo, Omega.hi, &roots);
+        for (int i = 0; i < roots.n + roots.n_undecided && !roots.full; i++) {
+            sf_take_root(&roots, i, &root);
+            if (sf_sign_of(slow_flow_intervals_R(root, cell->A, cell->h)) != -side)
+                Omega = n++ > 0 ? sfi_join(Omega, root) : root;
+        }
     }
     return Omega;
 }
@@ -107,7 +97,7 @@ static void sf_breakpoint_on(const sf_inputs *inputs, int i, sf_cell *on) {
 
 static void sf_certify_corners(const sf_inputs *inputs, const sf_terms *terms, sf_certificate *out) {
     for (int k = 0; k < inputs->breaks; k++) {
-        sf_roots roots;
+        sf_proof roots;
         sf_cell on;
         const sf_interval b = inputs->b[k], jump = inputs->jump[k];
         if (sf_is_continuous_at(inputs, k))
@@ -115,20 +105,21 @@ static void sf_certify_corners(const sf_inputs *inputs, const sf_terms *terms, s
         if (b.lo > out->A_max)
             return;
         sf_breakpoint_on(inputs, k, &on);
-        sf_at_amplitude q = sf_at_cell(SF_ROOTS_OF_F, terms, &on);
-        sf_prove_roots(&q, &roots);
+        const sf_at_amplitude q = sf_at_cell(SF_ROOTS_OF_F, terms, &on);
+        sf_prove_roots(&q, 0, 2 * sf_highest_root(&q), &roots);
         out->full |= roots.full;
-        for (int i = 0; i < roots.n; i++) {
-            const sf_interval R = slow_flow_intervals_R(roots.at[i], b, on.h);
-            const int stable_above = sf_sign_of(sfi_mul(R, jump));
-            const int stable_below = sf_sign_of(
-                slow_flow_intervals_F_A(roots.at[i], b, inputs->m, inputs->zeta, on.h, on.h_A));
+        for (int i = 0; i < roots.n + roots.n_undecided; i++) {
+            sf_interval w;
+            const int undecided = sf_take_root(&roots, i, &w);
+            const int stable_above = sf_sign_of(sfi_mul(slow_flow_intervals_R(w, b, on.h), jump));
+            const int stable_below =
+                sf_sign_of(slow_flow_intervals_F_A(w, b, inputs->m, inputs->zeta, on.h, on.h_A));
             if (stable_above != 0 && stable_above == stable_below)
                 continue; /* no fold, however many roots there are */
-            if (roots.undecided[i] || stable_above == 0 || stable_below == 0)
+            if (undecided || stable_above == 0 || stable_below == 0)
                 sf_leave_undecided(out, b);
             else
-                sf_enclose(out, roots.at[i], b, 1, -stable_below);
+                sf_enclose(out, w, b, 1, -stable_below);
         }
     }
 }
@@ -159,13 +150,13 @@ static void sf_sort_enclosures(sf_certificate *out, int (*follows)(const sf_encl
 
 /* What an answer is before anything is proved: the range of A, and whether the forcing moves the mass. SF_UNRESOLVED
  * where exact inputs are not known, NULL. */
-static sf_status sf_begin_certificate(const sf_model *model, const sf_inputs *inputs, double F_0, sf_room *room,
-                                      sf_proving *proving) {
+static sf_status sf_begin_certificate(const sf_model *model, const sf_inputs *inputs, sf_question question, double F_0,
+                                      sf_room *room, sf_proving *proving) {
     sf_certificate *out = &room->found;
     out->n = out->n_undecided = out->full = 0, out->A_max = 0;
     if (inputs == NULL)
         return SF_UNRESOLVED;
-    *proving = sf_proving_of(inputs, F_0, &room->proof);
+    *proving = sf_proving_of(inputs, question, model, F_0, &room->proof);
     out->bounded = !(F_0 > inputs->m.lo);
     if (sf_sticks(model, F_0))
         return SF_STICKS;
@@ -181,30 +172,24 @@ static sf_status sf_begin_certificate(const sf_model *model, const sf_inputs *in
 static sf_status sf_certify_folds(const sf_model *model, const sf_inputs *inputs, double F_0, sf_room *room) {
     sf_certificate *out = &room->found;
     sf_proving proving;
-    const sf_status status = sf_begin_certificate(model, inputs, F_0, room, &proving);
+    const sf_status status = sf_begin_certificate(model, inputs, SF_FOLD_AT, F_0, room, &proving);
     if (status != SF_OK || out->n_undecided > 0)
         return status;
-    proving.range = sf_fold_on, proving.channels = 1;
     sf_prove(&proving, out->A_max);
     sf_leave_all_undecided(inputs, &room->proof, out);
     for (int i = 0; i < room->proof.n; i++) {
         const sf_cell *on = &room->proof.at[i].on;
-        const sf_interval Omega = sf_fold_Omega_on(&proving.terms, on);
+        const sf_interval Omega = sf_fold_Omega_on(&proving.task.terms, on);
         const sf_interval F_AA =
             slow_flow_intervals_F_AA(Omega, on->A, inputs->m, inputs->zeta, on->h, on->h_A, on->h_AA);
         sf_enclose(out, Omega, on->A, 0, sf_sign_of(F_AA));
     }
-    sf_certify_corners(inputs, &proving.terms, out);
+    sf_certify_corners(inputs, &proving.task.terms, out);
     sf_sort_enclosures(out, sf_follows);
     return SF_OK;
 }
 
 /* ==== States at a frequency ======================================================================================= */
-
-static void sf_state_on(const sf_proving *proving, const sf_cell *cell, int open, sf_range out[2]) {
-    (void)open;
-    sf_range_state(&proving->terms, proving->Omega, cell, &out[0]);
-}
 
 /* Every state at (Omega, F_0), by rising A. */
 static sf_status sf_certify_states(const sf_model *model, const sf_inputs *inputs, double F_0, double Omega,
@@ -212,23 +197,19 @@ static sf_status sf_certify_states(const sf_model *model, const sf_inputs *input
 {
     sf_certificate *out = &room->found;
     sf_proving proving;
-    const sf_status status = sf_begin_certificate(model, inputs, F_0, room, &proving);
+    const sf_status status = sf_begin_certificate(model, inputs, SF_STATE, F_0, room, &proving);
     if (status != SF_OK || out->n_undecided > 0)
         return status;
-    proving.range = sf_state_on, proving.channels = 1, proving.Omega = sfi_point(Omega);
+    proving.task.Omega = Omega;
     sf_prove(&proving, out->A_max);
     sf_leave_all_undecided(inputs, &room->proof, out);
     for (int i = 0; i < room->proof.n; i++)
-        sf_enclose(out, proving.Omega, room->proof.at[i].on.A, 0, room->proof.at[i].rising ? 1 : -1);
+        sf_enclose(out, sfi_point(Omega), room->proof.at[i].on.A, 0, room->proof.at[i].rising ? 1 : -1);
     sf_sort_enclosures(out, sf_is_higher);
     return SF_OK;
 }
 
 /* ==== Critical forcings =========================================================================================== */
-
-static sf_interval sf_level_on(const sf_terms *terms, sf_interval Omega, const sf_cell *cell) {
-    return slow_flow_intervals_level(Omega, cell->A, terms->m, terms->zeta, cell->h);
-}
 
 /* What may be the lowest forcing. */
 typedef struct {
@@ -259,29 +240,6 @@ static void sf_enter(sf_candidates *list, sf_interval level, sf_interval Omega, 
     list->at[list->n++].kind = kind;
 }
 
-/* Isola points of levels up to F_0. */
-static void sf_isola_on(const sf_proving *proving, const sf_cell *cell, int open, sf_range out[2]) {
-    (void)open;
-    sf_range_isola(&proving->terms, cell, &out[0]);
-    if (out[0].where != SF_NOWHERE &&
-        sf_level_on(&proving->terms, slow_flow_intervals_isola_Omega(cell->h_A), cell).lo > proving->terms.F_0.hi)
-        out[0].where = SF_NOWHERE;
-}
-
-/* Cusps of levels up to F_0, as sf_range_cusp. */
-static void sf_cusps_on(const sf_proving *proving, const sf_cell *cell, int open, sf_range out[2]) {
-    const sf_terms *terms = &proving->terms;
-    if (sf_are_alike(cell->h_AA, cell->k))
-        return;
-    for (int i = 0; i < 2; i++) {
-        sf_cusp_range cusp = {0};
-        if (open & 1 << i)
-            sf_cusp_on(cell, terms->m, terms->zeta, i == 0, &cusp);
-        if (cusp.where != SF_NOWHERE && !(cusp.level.lo > terms->F_0.hi))
-            sf_range_simple(cusp.y, cusp.dy, cusp.where, &out[i]);
-    }
-}
-
 static void sf_enter_isola(const sf_terms *terms, const sf_cell *on, sf_candidates *list) {
     const sf_interval Omega = slow_flow_intervals_isola_Omega(on->h_A);
     const sf_interval bend = slow_flow_intervals_isola_bend(Omega, on->A, terms->m, terms->zeta, on->h_AA);
@@ -302,7 +260,7 @@ static void sf_enter_corners(const sf_inputs *inputs, const sf_terms *terms, int
     const sf_interval b = inputs->b[k];
     const int jumps = !sf_is_continuous_at(inputs, k), J = sf_sign_of(jumps ? inputs->jump[k] : inputs->kink[k]);
     sf_cell on;
-    sf_roots roots;
+    sf_proof roots;
     sf_breakpoint_on(inputs, k, &on);
     if (jumps && on.h.lo < 0 && J <= 0) {
         const sf_interval Omega = slow_flow_intervals_backbone(b, on.h);
@@ -310,10 +268,12 @@ static void sf_enter_corners(const sf_inputs *inputs, const sf_terms *terms, int
     }
     sf_at_amplitude q = sf_at_cell(SF_ROOTS_OF_F_A, terms, &on);
     for (int side = 0; side < 1 + jumps; side++, q.of = SF_ROOTS_OF_F_OMEGA) {
-        sf_prove_roots(&q, &roots);
+        sf_prove_roots(&q, 0, 2 * sf_highest_root(&q), &roots);
         list->full |= roots.full;
-        for (int i = 0; i < roots.n; i++) {
-            const sf_interval w = roots.at[i], m = terms->m, zeta = terms->zeta;
+        for (int i = 0; i < roots.n + roots.n_undecided; i++) {
+            const sf_interval m = terms->m, zeta = terms->zeta;
+            sf_interval w;
+            const int undecided = sf_take_root(&roots, i, &w);
             const int rises = -J * sf_sign_of(slow_flow_intervals_R(w, b, on.h));
             int one, other;
             if (q.of == SF_ROOTS_OF_F_A) {
@@ -325,7 +285,7 @@ static void sf_enter_corners(const sf_inputs *inputs, const sf_terms *terms, int
                 other = sf_sign_of(slow_flow_intervals_F_OmegaOmega(w, b, zeta, on.h));
             }
             sf_enter(list, sf_level_on(terms, w, &on), w, b, SF_CORNER_KIND,
-                     roots.undecided[i] ? 0 : one < 0 || other < 0 ? -1 : one * other);
+                     undecided ? 0 : one < 0 || other < 0 ? -1 : one * other);
         }
     }
 }
@@ -355,18 +315,20 @@ static sf_status sf_certify_detachment(const sf_inputs *inputs, sf_interval *F_c
     const sf_terms terms = sf_terms_of(inputs, sfi_point(0));
     sf_candidates list;
     sf_proved_onset least;
-    sf_roots roots;
+    sf_proof roots;
     sf_cell on;
     if (inputs->breaks == 0)
         return SF_NONE;
     sf_breakpoint_on(inputs, 0, &on);
-    sf_at_amplitude q = sf_at_cell(SF_ROOTS_OF_F_OMEGA, &terms, &on);
-    sf_prove_roots(&q, &roots);
+    const sf_at_amplitude q = sf_at_cell(SF_ROOTS_OF_F_OMEGA, &terms, &on);
+    sf_prove_roots(&q, 0, 2 * sf_highest_root(&q), &roots);
     if (roots.full)
         return SF_UNRESOLVED;
     list.n = 0;
-    for (int i = 0; i <= roots.n; i++) {
-        const sf_interval w = i < roots.n ? roots.at[i] : sfi_point(0);
+    for (int i = 0; i <= roots.n + roots.n_undecided; i++) {
+        sf_interval w = sfi_point(0);
+        if (i < roots.n + roots.n_undecided)
+            sf_take_root(&roots, i, &w);
         sf_enter(&list, sf_level_on(&terms, w, &on), w, on.A, SF_CORNER_KIND, 1);
     }
     sf_lowest(&list, &least);
@@ -374,36 +336,30 @@ static sf_status sf_certify_detachment(const sf_inputs *inputs, sf_interval *F_c
     return SF_OK;
 }
 
-/* All that may be the lowest up to an amplitude, with levels up to that of the question; what is undecided fills the
- * list.
+/* All that may be the lowest up to an amplitude, with levels up to F_0, and the lowest of that; what is undecided fills
+ * the list.
  * Minima of the level along the fold locus are its cusps and isola points, ends of its pieces on breakpoints, and ends
  * at Omega = 0, where no fold is born. */
-static void sf_enter_all(const sf_inputs *inputs, sf_proving *proving, double A_max, sf_candidates *list) {
-    sf_proof *proof = proving->out;
+static void sf_enter_all(const sf_model *model, const sf_inputs *inputs, double F_0, double A_max, sf_proof *proof,
+                         sf_candidates *list, sf_proved_onset *lowest) {
+    sf_proving proving = sf_proving_of(inputs, SF_ISOLA, model, F_0, proof);
+    const sf_terms *terms = &proving.task.terms;
+    list->n = list->full = 0, list->undecided = HUGE_VAL;
+    proving.task.most = &F_0;
     /* without friction both functions vanish at 0: amplitudes of 1e-60 and less are left out */
-    proving->from = inputs->m.hi > 0 ? 0 : SF_FIRST;
-    for (int i = 0; i < 2; i++) {
-        proving->range = i == 0 ? sf_isola_on : sf_cusps_on, proving->channels = 1 + i;
-        sf_prove(proving, A_max);
+    proving.from = inputs->m.hi > 0 ? 0 : SF_FIRST;
+    for (int i = 0; i < 2; i++, proving.task.question = SF_CUSP) {
+        sf_prove(&proving, A_max);
         list->full |= proof->full || proof->n_undecided > 0;
         for (int k = 0; k < proof->n; k++)
             if (i == 0)
-                sf_enter_isola(&proving->terms, &proof->at[k].on, list);
+                sf_enter_isola(terms, &proof->at[k].on, list);
             else
-                sf_enter_cusp(&proving->terms, &proof->at[k].on, proof->at[k].channel, list);
+                sf_enter_cusp(terms, &proof->at[k].on, proof->at[k].channel, list);
     }
     for (int k = 0; k < inputs->breaks; k++)
-        sf_enter_corners(inputs, &proving->terms, k, list);
-}
-
-/* That no fold is born at any forcing, up to amplitudes that stand for infinite ones. */
-static void sf_certify_no_onset(const sf_inputs *inputs, sf_proof *proof, sf_proved_onset *out) {
-    sf_proving proving = sf_proving_of(inputs, HUGE_VAL, proof);
-    sf_candidates list;
-    list.n = list.full = 0, list.undecided = HUGE_VAL;
-    sf_enter_all(inputs, &proving, SF_ENDLESS, &list);
-    sf_lowest(&list, out);
-    out->proved = list.n == 0 && !list.full && list.undecided == HUGE_VAL;
+        sf_enter_corners(inputs, terms, k, list);
+    sf_lowest(list, lowest);
 }
 
 /* Without viscous damping, whether folds come as near to m as one asks: their level is hypot(m, k), which is m at A = 0
@@ -430,8 +386,10 @@ static sf_status sf_certify_onset(const sf_model *model, const sf_inputs *inputs
     double A_max;
     sf_status status = sf_find_onset(model, &room->work, &best);
     out->proved = 0;
-    if (status == SF_NONE && model->zeta > 0)
-        sf_certify_no_onset(inputs, &room->proof, out);
+    if (status == SF_NONE && model->zeta > 0) { /* at any forcing, up to amplitudes that stand for infinite ones */
+        sf_enter_all(model, inputs, HUGE_VAL, SF_ENDLESS, &room->proof, &list, out);
+        out->proved = list.n == 0 && !list.full && list.undecided == HUGE_VAL;
+    }
     if (status == SF_UNBOUNDED && model->zeta == 0)
         out->proved = sf_tends_to_friction(inputs);
     if (status != SF_OK)
@@ -440,10 +398,8 @@ static sf_status sf_certify_onset(const sf_model *model, const sf_inputs *inputs
     status = sf_amplitude_bound(model, F_0, &A_max);
     if (status != SF_OK)
         return status;
-    list.n = 0, list.full = !sf_is_bounded(inputs, F_0, A_max), list.undecided = HUGE_VAL;
-    sf_proving proving = sf_proving_of(inputs, F_0, &room->proof);
-    sf_enter_all(inputs, &proving, A_max, &list);
-    sf_lowest(&list, out);
-    out->proved = list.n > 0 && !list.full && list.undecided > out->F_SN.hi && out->F_SN.hi < F_0;
+    sf_enter_all(model, inputs, F_0, A_max, &room->proof, &list, out);
+    out->proved = list.n > 0 && !list.full && sf_is_bounded(inputs, F_0, A_max) && list.undecided > out->F_SN.hi &&
+                  out->F_SN.hi < F_0;
     return SF_OK;
 }

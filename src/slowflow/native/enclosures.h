@@ -73,9 +73,20 @@ static inline void sf_range_fold(const sf_terms *terms, const sf_cell *cell, sf_
     }
 }
 
-static inline void sf_range_isola(const sf_terms *terms, const sf_cell *cell, sf_range *out) {
+/* Whether a level may lie above what is still wanted. */
+static inline int sf_is_limited(const sf_task *task) { return task->most != NULL && *task->most < HUGE_VAL; }
+
+static inline sf_interval sf_level_on(const sf_terms *terms, sf_interval Omega, const sf_cell *cell) {
+    return slow_flow_intervals_level(Omega, cell->A, terms->m, terms->zeta, cell->h);
+}
+
+static inline void sf_range_isola(const sf_task *task, const sf_cell *cell, sf_range *out) {
+    const sf_terms *terms = &task->terms;
     sf_interval isola[2];
     out->where = sf_where_positive(cell->h_A);
+    if (out->where != SF_NOWHERE && sf_is_limited(task) &&
+        sf_level_on(terms, slow_flow_intervals_isola_Omega(cell->h_A), cell).lo > *task->most)
+        out->where = SF_NOWHERE;
     if (out->where == SF_NOWHERE)
         return;
     if (terms->m.hi == 0)
@@ -137,9 +148,6 @@ static inline void sf_cusp_on(const sf_cell *cell, sf_interval m, sf_interval ze
     out->y = sfi_both(cusp[0], cusp[1]), out->dy = cusp[2], out->level = cusp[3], out->X = X, out->T = T;
 }
 
-/* Whether a level may lie above what is still wanted. */
-static inline int sf_is_limited(const sf_task *task) { return task->most != NULL && *task->most < HUGE_VAL; }
-
 /* Whether two functions have one sign, or are 0. */
 static inline int sf_are_alike(sf_interval x, sf_interval y) {
     return (x.lo >= 0 && y.lo >= 0) || (x.hi <= 0 && y.hi <= 0);
@@ -171,8 +179,7 @@ static inline void sf_range_cusp(const sf_task *task, const sf_known *a, const s
         if (!(open & 1 << i))
             continue;
         sf_cusp_on(cell, task->terms.m, task->terms.zeta, i == 0, &cusp);
-        if (cusp.where != SF_NOWHERE && !sfi_has_sign(cusp.y) &&
-            !(sf_is_limited(task) && cusp.level.lo > *task->most))
+        if (cusp.where != SF_NOWHERE && !(sf_is_limited(task) && cusp.level.lo > *task->most))
             sf_range_simple(cusp.y, cusp.dy, cusp.where, &out[i]);
     }
 }
@@ -456,7 +463,7 @@ static inline void sf_find_range(const sf_task *task, const sf_known *a, sf_cell
         sf_range_fold(&task->terms, cell, out);
         break;
     case SF_ISOLA:
-        sf_range_isola(&task->terms, cell, out);
+        sf_range_isola(task, cell, out);
         break;
     case SF_CUSP:
         sf_range_cusp(task, a, cell, open, out);

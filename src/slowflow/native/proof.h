@@ -18,18 +18,25 @@
 /* nor one that ends so near to the beginning of its piece, relatively */
 #define SF_PROOF_NEXT 0x1p-960
 
-typedef struct sf_proving sf_proving;
+/* of the response, F = 0; of the fold locus, F_A = 0; of its peaks, F_Omega = 0 */
+typedef enum { SF_ROOTS_OF_F, SF_ROOTS_OF_F_A, SF_ROOTS_OF_F_OMEGA } sf_roots_of;
 
-/* range: a question's functions on a cell */
-struct sf_proving {
-    const sf_inputs *inputs;
-    void (*range)(const sf_proving *, const sf_cell *, int open, sf_range out[2]);
-    int channels, piece;
-    double from; /* the first amplitude */
+typedef struct {
+    sf_roots_of of;
+    sf_interval A, h, h_A;
     sf_terms terms;
-    sf_interval Omega;
+} sf_at_amplitude;
+
+/* task: a question along the amplitude, of the inputs; at: NULL, or of what at one amplitude the roots in Omega are
+ * looked for, which then takes the place of A; from: the first amplitude */
+typedef struct {
+    const sf_inputs *inputs;
+    const sf_at_amplitude *at;
+    sf_task task;
+    int piece;
+    double from;
     sf_proof *out;
-};
+} sf_proving;
 
 /* range: the functions there, once they have been evaluated */
 typedef struct {
@@ -46,35 +53,55 @@ static inline sf_terms sf_terms_of(const sf_inputs *inputs, sf_interval F_0) {
 }
 
 /* About zeros from A = 0 on. */
-static inline sf_proving sf_proving_of(const sf_inputs *inputs, double F_0, sf_proof *out) {
+static inline sf_proving sf_proving_of(const sf_inputs *inputs, sf_question question, const sf_model *model, double F_0,
+                                       sf_proof *out) {
     sf_proving proving;
     memset(&proving, 0, sizeof proving);
-    proving.inputs = inputs, proving.terms = sf_terms_of(inputs, sfi_point(F_0)), proving.out = out;
+    proving.inputs = inputs, proving.out = out;
+    proving.task = sf_task_of(question, model, F_0), proving.task.terms = sf_terms_of(inputs, sfi_point(F_0));
     return proving;
 }
 
-static void sf_clear_range(sf_range out[2]) {
-    out[0].where = out[1].where = SF_NOWHERE, out[0].edge = out[1].edge = 0;
-    out[0].ddy = out[1].ddy = sfi_of(-HUGE_VAL, HUGE_VAL);
+/* ==== Functions of Omega at one amplitude ========================================================================= */
+
+static sf_at_amplitude sf_at_cell(sf_roots_of of, const sf_terms *terms, const sf_cell *cell) {
+    return (sf_at_amplitude){of, cell->A, cell->h, cell->h_A, *terms};
 }
 
-/* A function at something known. */
-static const sf_range *sf_value_at(const sf_proving *proving, sf_checked *at, int c) {
-    sf_cell cell;
-    if (!at->task) {
-        const double x = at->known.A;
-        sf_make_cell_on(sf_beyond(proving->inputs, proving->piece, sfi_point(x)), &at->known, &at->known, &cell);
-        sf_clear_range(at->range);
-        proving->range(proving, &cell, 3, at->range);
-        at->task = 1;
+static void sf_value_on(const sf_at_amplitude *q, sf_interval w, sf_interval *y, sf_interval *dy) {
+    const sf_interval A = q->A, h = q->h, m = q->terms.m, zeta = q->terms.zeta;
+    if (q->of == SF_ROOTS_OF_F) {
+        *y = slow_flow_intervals_F(w, A, q->terms.F_0, m, zeta, h);
+        *dy = slow_flow_intervals_F_Omega(w, A, m, zeta, h);
+    } else if (q->of == SF_ROOTS_OF_F_A) {
+        *y = slow_flow_intervals_F_A(w, A, m, zeta, h, q->h_A);
+        *dy = slow_flow_intervals_F_AOmega(w, A, m, zeta, h, q->h_A);
+    } else {
+        sf_interval reduced[2];
+        if (m.hi == 0)
+            slow_flow_mu0_intervals_F_Omega_reduced(w, A, m, zeta, h, reduced);
+        else if (zeta.hi == 0)
+            slow_flow_zeta0_intervals_F_Omega_reduced(w, A, m, zeta, h, reduced);
+        else
+            slow_flow_intervals_F_Omega_reduced(w, A, m, zeta, h, reduced);
+        *y = reduced[0], *dy = reduced[1];
     }
-    return &at->range[c];
 }
+
+/* Beyond this frequency there is no root: R exceeds F_0 there, or is positive with Omega^2 + h_A. */
+static double sf_highest_root(const sf_at_amplitude *q) {
+    const sf_interval level = q->of == SF_ROOTS_OF_F ? q->terms.F_0 : sfi_point(0);
+    const double highest = slow_flow_intervals_backbone(q->A, sfi_sub(q->h, level)).hi;
+    return q->of == SF_ROOTS_OF_F_A ? sfi_most(highest, slow_flow_zeta0_intervals_undamped_Omega(q->h_A).hi) : highest;
+}
+
+/* ==== One cell ==================================================================================================== */
 
 static sf_checked sf_check_at(const sf_proving *proving, double x) {
     sf_checked out;
-    sf_know_at(proving->inputs, proving->piece, x, &out.known);
-    out.task = 0;
+    out.known.A = x, out.task = 0;
+    if (proving->at == NULL)
+        sf_know_at(proving->inputs, proving->piece, x, &out.known);
     return out;
 }
 
@@ -82,9 +109,28 @@ static void sf_range_between(const sf_proving *proving, const sf_checked *a, con
                              sf_cell *cell, sf_range range[2])
 {
     const sf_interval A = sf_beyond(proving->inputs, proving->piece, sfi_of(a->known.A, b->known.A));
+    const sf_task *task = &proving->task;
+    range[0].where = range[1].where = SF_NOWHERE, range[0].edge = range[1].edge = 0;
+    range[0].ddy = range[1].ddy = sfi_of(-HUGE_VAL, HUGE_VAL);
+    if (proving->at != NULL) {
+        range[0].where = SF_THROUGHOUT;
+        sf_value_on(proving->at, A, &range[0].y, &range[0].dy);
+        return;
+    }
     sf_make_cell_on(A, &a->known, &b->known, cell);
-    sf_clear_range(range);
-    proving->range(proving, cell, open, range);
+    if (task->question == SF_STATE) /* the inputs are exact: all slopes of F are as sharp as F */
+        sf_range_state(&task->terms, sfi_point(task->Omega), cell, &range[0]);
+    else
+        sf_find_range(task, &a->known, cell, open, range);
+}
+
+/* A function at something known. */
+static const sf_range *sf_value_at(const sf_proving *proving, sf_checked *at, int c) {
+    sf_cell cell;
+    if (!at->task)
+        sf_range_between(proving, at, at, 3, &cell, at->range);
+    at->task = 1;
+    return &at->range[c];
 }
 
 /* 1: one zero, from below; -1: one, from above; 0: none; 2: not known. last: if it need not be separated from the
@@ -131,7 +177,7 @@ static void sf_narrow(const sf_proving *proving, sf_checked *a, sf_checked *b, i
         if (there->where != SF_THROUGHOUT)
             return;
         const sf_interval next = sfi_both(*beyond, sfi_sub(sfi_point(x), sfi_div(there->y, range.dy)));
-        if (!(next.lo <= next.hi) || !(next.hi - next.lo < 0.75 * (high - low)))
+        if (!(next.lo <= next.hi) || !(i == 0 || next.hi - next.lo < 0.75 * (high - low)))
             return;
         if (next.lo > low)
             *a = sf_check_at(proving, next.lo);
@@ -196,9 +242,11 @@ static void sf_prove_between(const sf_proving *proving, sf_checked *a, sf_checke
     sf_range range[2];
     sf_cell cell;
     sf_range_between(proving, a, b, open, &cell, range);
-    for (int c = 0; c < proving->channels; c++) {
-        const int last = end || (open & 1 << c && sf_is_cut_enough(proving, a, b, c, &range[c]));
-        const int crossing = open & 1 << c ? sf_crossing(proving, a, b, c, &range[c], last) : 0;
+    for (int c = 0; c < 2; c++) {
+        if (!(open & 1 << c))
+            continue;
+        const int last = end || sf_is_cut_enough(proving, a, b, c, &range[c]);
+        const int crossing = sf_crossing(proving, a, b, c, &range[c], last);
         if (crossing == 1 || crossing == -1)
             sf_add_proven(proving, a, b, c, &range[c], &cell, crossing == 1);
         else if (crossing == 2 && last)
@@ -252,26 +300,64 @@ static void sf_look_again(const sf_proving *proving, double least, double most, 
     out->n_undecided = kept;
 }
 
+static void sf_clear_proof(sf_proof *out) { out->n = out->n_undecided = out->cells = out->full = 0; }
+
+/* All zeros between two places on a piece. */
+static void sf_prove_on(const sf_proving *proving, sf_checked *first, sf_checked *last, int open) {
+    const int before = proving->out->n_undecided;
+    first->task = last->task = 0;
+    sf_prove_between(proving, first, last, open);
+    sf_look_again(proving, first->known.A, last->known.A, before);
+}
+
 /* All zeros up to A_max, piece by piece. */
 static void sf_prove(sf_proving *proving, double A_max) {
     const sf_inputs *inputs = proving->inputs;
     sf_checked first, last;
-    proving->out->n = proving->out->n_undecided = proving->out->cells = proving->out->full = 0;
+    sf_clear_proof(proving->out);
     for (int i = 0; i <= inputs->breaks; i++) {
-        const int before = proving->out->n_undecided;
+        const int ends = i < inputs->breaks && inputs->b[i].lo < A_max;
         proving->piece = i;
         if (i > 0)
             sf_know_above(inputs, i - 1, &first.known);
         else
             sf_know_at(inputs, 0, proving->from, &first.known);
-        if (i < inputs->breaks && inputs->b[i].lo < A_max)
+        if (ends)
             sf_know_below(inputs, i, &last.known);
         else
             sf_know_at(inputs, i, sfi_up(A_max - sf_beginning(inputs, i).lo), &last.known);
-        first.task = last.task = 0;
-        sf_prove_between(proving, &first, &last, proving->channels == 2 ? 3 : 1);
-        sf_look_again(proving, first.known.A, last.known.A, before);
-        if (!(i < inputs->breaks && inputs->b[i].lo < A_max))
+        sf_prove_on(proving, &first, &last, sf_channels(proving->task.question));
+        if (!ends)
             return;
     }
+}
+
+/* All roots in Omega at one amplitude, twice as far as they may lie: none lies on the end of the search. */
+static void sf_prove_roots(const sf_at_amplitude *q, double low, double high, sf_proof *out) {
+    const sf_proving proving = {.at = q, .out = out};
+    sf_checked first = sf_check_at(&proving, low), last = sf_check_at(&proving, high);
+    sf_clear_proof(out);
+    if (high < HUGE_VAL)
+        sf_prove_on(&proving, &first, &last, 1);
+    else
+        out->full = 1;
+}
+
+/* Root number i, of which those that are undecided come last; whether it is one of them. */
+static int sf_take_root(const sf_proof *roots, int i, sf_interval *Omega) {
+    const int undecided = i >= roots->n;
+    const sf_undecided_between *open = &roots->undecided[undecided ? i - roots->n : 0];
+    *Omega = undecided ? sfi_of(open->low, open->high) : roots->at[i].beyond;
+    return undecided;
+}
+
+/* The one root in an interval on which the slope has a sign. */
+static sf_interval sf_narrow_root(const sf_at_amplitude *q, sf_interval w) {
+    const sf_proving proving = {.at = q};
+    sf_checked low = sf_check_at(&proving, w.lo), high = sf_check_at(&proving, w.hi);
+    sf_range range[2];
+    sf_cell cell;
+    sf_range_between(&proving, &low, &high, 1, &cell, range);
+    sf_narrow(&proving, &low, &high, 0, range[0], &w, &cell);
+    return w;
 }
