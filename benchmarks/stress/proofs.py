@@ -91,7 +91,7 @@ def of_family(rng: np.random.Generator, family: str, isolators: int) -> dict[str
         model = isolator.model
         questions: dict[str, Callable[[], Proved]] = {
             "folds": partial(proofs.folds, model, F_0),
-            "states": partial(proofs.states, model, Omega, F_0),
+            "states": partial(proofs.states, model, F_0, Omega),
             "F_SN": partial(proofs.onset, model),
             "F_cr": partial(proofs.detachment, model),
         }

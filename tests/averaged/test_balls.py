@@ -14,7 +14,6 @@ from slowflow import Duffing, Isolator, example
 from slowflow.answers.results import Remark
 from slowflow.answers.table import DOUBLES
 from slowflow.averaged import messages, proofs, solvers
-from slowflow.averaged.balls import questions as answers
 from slowflow.averaged.balls.search import AT_0, BallModel, Enclosure, averages_of
 from tests.averaged.test_certified import check_folds, holds, level_ulps
 from tests.averaged.test_certified_cases import CENTRED, of_record
@@ -86,20 +85,20 @@ def test_balls_enclose_certified_answers():
     for case in CENTRED[::25]:
         model = of_record(case).model
         forcing, onset = case["forcings"][0], case["onset"]
-        proof = answers.folds(model, forcing["F_0"][1])
+        proof = proofs.folds.in_balls(model, forcing["F_0"][1])
         assert proof.proved
         assert proof.bounded
         check_folds(proof, forcing["folds"])
         for at in forcing["amplitudes"][:2]:
-            states = answers.states(model, at["Omega"][1], forcing["F_0"][1])
+            states = proofs.states.in_balls(model, forcing["F_0"][1], at["Omega"][1])
             assert states.stable.tolist() == [state["stable"] for state in at["steady"]]
             assert all(holds(A, state["A"]) for A, state in zip(states.A, at["steady"], strict=True))
-        found = answers.onset(model)
+        found = proofs.onset.in_balls(model)
         assert found.proved
         assert found.kind == onset["kind"]
         assert holds(found.F_0, onset["F_SN"])
         if case["mechanism"] == "rod_spring":
-            assert holds(answers.detachment(model).F_0, case["detachment"]["F_cr"])
+            assert holds(proofs.detachment.in_balls(model).F_0, case["detachment"]["F_cr"])
 
 
 def spring(design, u):
@@ -169,7 +168,7 @@ def test_an_onset_that_doubles_refuse_is_proved():
     iso = untruncated(design)
     with pytest.raises(ArithmeticError, match=r"unresolved: .*certify\(F_0\).saddle_node_onset may enclose it"):
         solvers.onset(iso.model)
-    found, onset = answers.onset(iso.model), iso.saddle_node_onset()
+    found, onset = proofs.onset.in_balls(iso.model), iso.saddle_node_onset()
     assert found.proved
     assert found.kind == onset.kind == "cusp"
     assert onset.remarks == Remark.BY_BALLS and "resolved in ball arithmetic" in onset.message
@@ -196,12 +195,12 @@ def test_a_double_state_that_is_exact_stays_undecided_in_words():
     """Where two states meet at numbers that are doubles no digits tell them apart."""
     iso = Duffing(2.5, -4.0, mu=0.0, zeta=0.0)
     # R = A (Omega^2 - 5/2) + 3 A^3 = -F_0 at Omega = 1/2: R is least where 9 A^2 = 9/4, at A = 1/2, and is -3/4 there
-    proof = proofs.states(iso.model, 0.5, 0.75)
+    proof = proofs.states(iso.model, 0.75, 0.5)
     assert not proof.proved
     assert messages.BALLS_IN_DOUBT.format(512, "") in proof.message
     assert proof.doubt[0, 0] < 0.5 < proof.doubt[0, 1]
     for F_0, count in ((math.nextafter(0.75, 0), 3), (math.nextafter(0.75, 1), 1)):
-        found = proofs.states(iso.model, 0.5, F_0)
+        found = proofs.states(iso.model, F_0, 0.5)
         assert found.proved
         assert len(found.A) == count
 
@@ -219,9 +218,9 @@ def test_proofs_in_balls_are_the_same_in_threads():
     from concurrent.futures import ThreadPoolExecutor
 
     model = untruncated(UNTRUNCATED[1]).model
-    single = answers.folds(model, 0.05)
+    single = proofs.folds.in_balls(model, 0.05)
     with ThreadPoolExecutor(4) as pool:
-        found = list(pool.map(lambda _: answers.folds(model, 0.05), range(4)))
+        found = list(pool.map(lambda _: proofs.folds.in_balls(model, 0.05), range(4)))
     assert all(one == single for one in found)
     assert example.isolator().certify(0.04).proved
 
@@ -265,5 +264,5 @@ def test_undamped_folds_next_to_the_corner_have_a_frequency(delta_h, mu):
     for found in (one.saddle_nodes(F_0).Omega, many.Omega[0, : many.count[0]]):
         assert len(found) in (0, 2)
         assert found == pytest.approx([Omega] * len(found), rel=1e-9)
-    proof = answers.folds(one.model, F_0)
+    proof = proofs.folds.in_balls(one.model, F_0)
     assert proof.proved and proof.Omega == pytest.approx(np.full((2, 2), Omega), rel=1e-9)

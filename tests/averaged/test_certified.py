@@ -20,7 +20,7 @@ from tests.native.intervals import BOUNDED, ELEMENTARY, OPERATIONS, Intervals
 from tests.oracles import averaged
 
 #: without the balls that are asked where doubles do not decide, and without telling where folds are expected
-IN_DOUBLES = {name: getattr(proofs, name).__wrapped__ for name in ("folds", "states")}
+IN_DOUBLES = {name: getattr(proofs, name).in_doubles for name in ("folds", "states")}
 
 
 def holds(ends, digits):
@@ -49,7 +49,7 @@ def test_enclosures_hold_certified_folds_and_states():
                 assert proof.bounded
                 check_folds(proof, forcing["folds"])
             for at in forcing["amplitudes"]:
-                found = IN_DOUBLES["states"](model, at["Omega"][1], F_0)
+                found = IN_DOUBLES["states"](model, F_0, at["Omega"][1])
                 total, doubtful = total + 1, doubtful + (not found.proved)
                 if found.proved:
                     assert found.stable.tolist() == [state["stable"] for state in at["steady"]]

@@ -153,8 +153,8 @@ def test_a_batch_asks_balls_once(monkeypatch):
     one, F_0 = NEAR_FOLDS["hardening"]
     frequencies = beside_folds(one, F_0)[:2]
     balls, tried = proofs.in_balls(), []
-    ask = balls.states
-    monkeypatch.setattr(balls, "states", lambda *arguments: tried.append(arguments) or ask(*arguments))
+    ask = balls.ask
+    monkeypatch.setattr(balls, "ask", lambda *arguments: tried.append(arguments) or ask(*arguments))
     batch(one).amplitudes(Omega=frequencies, F_0=F_0)
     columns = batch(one).ask(AMPLITUDES, 1, F_0, 6, Omega=frequencies)
     assert len(tried) == (columns[-2] != 0).sum()

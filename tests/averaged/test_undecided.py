@@ -81,7 +81,7 @@ def test_states_just_above_friction_are_proved_or_undecided():
     """Where I exceeds F_0 there is no state: F_0 - 4 mu/pi says up to where, and has six digits here."""
     iso = Duffing(0.30726528991668056, -0.3658785478804152, mu=2.701549008849204e-06, zeta=4.6374909032157274e-05)
     F_0, Omega = 3.4397190306415187e-06, 5.44729375421581e-12
-    found, proof = iso.amplitudes(Omega=Omega, F_0=F_0), proofs.states.__wrapped__(iso.model, Omega, F_0)
+    found, proof = iso.amplitudes(Omega=Omega, F_0=F_0), proofs.states.in_doubles(iso.model, F_0, Omega)
     decides = Remark.UNDECIDED if importlib.util.find_spec("flint") is None else Remark.BY_BALLS
     assert (decides in found.remarks) == (not proof.proved)
     assert decides is Remark.UNDECIDED or len(found) == counts.States(exact(iso), Omega).count(F_0)
@@ -135,7 +135,7 @@ def test_at_hard_places_folds_are_those_that_are_proved(case, monkeypatch):
     assert len(found) == many.count[0] == len(proof.A) == case["count"]
     assert Remark.UNDECIDED not in found.remarks and not many.undecided[0] and many.status[0] == Status.OK
     assert int(many.remarks[0]) == int(found.remarks) and ("no saddle node" in found.message) == (len(found) == 0)
-    for one in (proof, proofs.in_balls().folds(iso.model, F_0)):
+    for one in (proof, proofs.folds.in_balls(iso.model, F_0)):
         assert (one.kind.tolist(), one.corner.tolist()) == (found.kind.tolist(), found.corner.tolist())
     assert np.lexsort((found.A, found.Omega)).tolist() == list(range(len(found)))
     assert (np.diff(proof.A.mean(axis=1))[np.diff(found.Omega) == 0] >= 0).all()
@@ -280,7 +280,7 @@ def test_a_batch_of_proofs_is_that_of_single_ones():
             single = proofs.folds(one.model, float(F_0[i, 0]))
             assert (folds.proved[i, j], count, folds.bits[i, j]) == (single.proved, len(single.A), single.bits)
             assert folds.status[i, j] == (Status.STICKS if one.model.sticks(float(F_0[i, 0])) else Status.OK)
-            at = proofs.states(one.model, float(Omega[j]), float(F_0[i, 0]))
+            at = proofs.states(one.model, float(F_0[i, 0]), float(Omega[j]))
             assert (states.proved[i, j], states.count[i, j], states.bits[i, j]) == (at.proved, len(at.A), at.bits)
         assert (folds.bits == DOUBLES).all()
     assert (Isolator.many(**numbers).certify(-1.0).status == Status.INVALID).all()

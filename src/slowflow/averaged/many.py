@@ -371,7 +371,7 @@ class Designs(Unchanging, ManyQuestions[Batch]):
                 validate.number("F_0", F, above=0.0)
                 for one in frequency:
                     validate.frequencies("Omega", one)
-                found: Any = proofs.states(model, *frequency, F) if frequency else proofs.folds(model, F)
+                found: Any = proofs.states(model, F, *frequency) if frequency else proofs.folds(model, F)
             except ValueError:
                 status[at] = Status.INVALID
                 continue

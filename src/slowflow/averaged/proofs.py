@@ -8,10 +8,9 @@ not decide, or the solvers have no proof, balls of more digits do (averaged/ball
 from __future__ import annotations
 
 import dataclasses
-import functools
 import importlib.util
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 import numpy as np
 
@@ -34,6 +33,7 @@ from slowflow_kernels.conventions import SAME, Status
 
 if TYPE_CHECKING:
     from slowflow.answers.certificate import Proved, ProvedFolds, ProvedForcing, ProvedStates
+    from slowflow.averaged.balls.questions import ProvedCusps
 
 Answer = TypeVar("Answer", bound="Proved")
 
@@ -48,6 +48,10 @@ _NARROW = 2.0**-40
 MOST_IN_BALLS = 200
 #: the same of onsets, which take some seconds each
 MOST_ONSETS_IN_BALLS = 20
+#: how many bits are tried in balls, in turn
+BITS = (128, 512)
+#: relative width of an enclosure whose middle is right to a unit in the last place of doubles
+SHARP = 2.0**-51
 
 
 @dataclasses.dataclass
@@ -62,34 +66,6 @@ class Allowance:
         return self.left >= 0
 
 
-def _prove(proof: Callable[..., Any], model: Model, *numbers: Any) -> Any:
-    """The result of one of the compiled solvers' proofs, None where they have none: `_why_not` says why."""
-    return proof(model.native, *numbers) if model.has_design else None
-
-
-def _why_not(model: Model) -> str:
-    return messages.NO_INTERVALS if model.has_design else messages.NO_DESIGN
-
-
-def _prove_at(
-    proof: Callable[..., Any], model: Model, F_0: float, *more: Any
-) -> tuple[tuple[bool, str, int], tuple[Any, ...], tuple[Any, ...]]:
-    """The result of a proof at a forcing: whether it is all proved, and a message; columns; and the rest."""
-    if (answer := _prove(proof, model, F_0, *more)) is None:
-        return (False, _why_not(model), DOUBLES), (_NONE, _NONE, _NO_FLAG, np.empty(0, int)), (0.0, False, _NONE)
-    status, *columns, doubt, A_max, bounded, room = answer
-    if status == Status.STICKS:
-        proved, message = bounded, messages.sticks(model, F_0) if bounded else messages.NEAR_STICKING
-    elif status != Status.OK:
-        proved, message = False, messages.FAILED
-    else:
-        proved = not len(doubt) and room
-        in_doubt = messages.IN_DOUBT.format(messages.intervals(doubt)) if len(doubt) else ""
-        limit = "" if bounded else messages.NOT_BOUNDED.format(A_max)
-        message = joined(in_doubt, "" if room else messages.NO_ROOM, limit)
-    return (proved, message, DOUBLES), tuple(columns), (A_max, bounded, doubt)
-
-
 def in_balls() -> Any:
     """What proves in balls, `slowflow.averaged.balls.questions`; None without python-flint."""
     if importlib.util.find_spec("flint") is None:
@@ -99,21 +75,77 @@ def in_balls() -> Any:
     return questions
 
 
-def _or_in_balls(in_doubles: Callable[..., Answer]) -> Callable[..., Answer]:
-    """A proof by doubles, and where these do not decide what balls say instead, by their question of the same name."""
+@dataclasses.dataclass(frozen=True)
+class Proof(Generic[Answer]):
+    """A question that is proved in intervals of doubles, and where these do not decide in balls.
 
-    @functools.wraps(in_doubles)
-    def proof(model: Model, *numbers: float) -> Answer:
-        found = in_doubles(model, *numbers)
+    name -- of the question, of the compiled solvers and of `balls.questions.ask`, which give alike tuples
+    make -- the answer, from the model, the bits, that tuple (None where there is no proof) and the numbers of the query
+    """
+
+    name: str
+    make: Callable[..., Answer]
+
+    def __call__(self, model: Model, *numbers: float) -> Answer:
+        """What is proved."""
+        found = self.in_doubles(model, *numbers)
         if found.proved or not model.has_design:
             return found
-        balls = in_balls()
-        if balls is None:
+        if in_balls() is None:
             return dataclasses.replace(found, message=joined(found.message, messages.NO_BALLS))
-        decided: Answer | None = getattr(balls, in_doubles.__name__)(model, *numbers)
+        decided = self.in_balls(model, *numbers)
         return found if decided is None else decided
 
-    return proof
+    def in_doubles(self, model: Model, *numbers: float) -> Answer:
+        """What intervals of doubles prove."""
+        found = getattr(backend.SOLVER, self.name)(model.native, *numbers) if model.has_design else None
+        return self.make(model, DOUBLES, found, *numbers)
+
+    def in_balls(self, model: Model, *numbers: float) -> Answer | None:
+        """What balls of as few bits as it takes for it to be sharp prove, or those of the most; None without them."""
+        best, balls = None, in_balls()
+        for bits in BITS if balls is not None and model.has_design else ():
+            if (found := balls.ask(self.name, model, bits, *numbers)) is None:
+                break
+            answer = self.make(model, bits, found, *numbers)
+            best = answer if best is None or answer.proved or not best.proved else best
+            if answer.proved and _is_sharp(answer):
+                break
+        return best
+
+
+def _is_sharp(found: Proved) -> bool:
+    """Whether enclosures tell each value to a unit in the last place."""
+    ends = [getattr(found, name).reshape(-1, 2) for name in ("F_0", "Omega", "A") if hasattr(found, name)]
+    return all(bool((high - low <= SHARP * high).all()) for low, high in (one.T for one in ends))
+
+
+def _in_doubt(bits: int, in_doubles: str, where: str = "") -> str:
+    return in_doubles if bits == DOUBLES else messages.BALLS_IN_DOUBT.format(bits, where)
+
+
+def _why_not(model: Model) -> str:
+    return messages.NO_INTERVALS if model.has_design else messages.NO_DESIGN
+
+
+def _at_forcing(
+    model: Model, bits: int, found: tuple[Any, ...] | None, F_0: float
+) -> tuple[tuple[bool, str, int], tuple[Any, ...], tuple[Any, ...]]:
+    """Of folds or states at a forcing: whether all is proved, a message and the bits; columns; and the rest."""
+    if found is None:
+        return (False, _why_not(model), bits), (_NONE, _NONE, _NO_FLAG, np.empty(0, int)), (0.0, False, _NONE)
+    status, *columns, doubt, A_max, bounded, room = found
+    if status == Status.STICKS:
+        unknown = _in_doubt(bits, messages.NEAR_STICKING, " on whether the mass moves")
+        proved, message = bounded, messages.sticks(model, F_0) if bounded else unknown
+    elif status != Status.OK:
+        proved, message = False, messages.FAILED
+    else:
+        proved, where = not len(doubt) and room, messages.intervals(doubt) if len(doubt) else ""
+        undecided = _in_doubt(bits, messages.IN_DOUBT.format(where), f" for A in {where}") if where else ""
+        limit = "" if bounded else messages.NOT_BOUNDED.format(A_max)
+        message = joined(undecided, "" if room else messages.NO_ROOM, limit)
+    return (proved, message, bits), tuple(columns), (A_max, bounded, doubt)
 
 
 def is_plain(model: Model) -> bool:
@@ -121,11 +153,10 @@ def is_plain(model: Model) -> bool:
     return bool(model.design) and not model.inertial and not model.laws.any
 
 
-def _by_balls(question: str, model: Model, allowance: Allowance | None, *numbers: float) -> Any:
+def _by_balls(question: Proof[Answer], model: Model, allowance: Allowance | None, *numbers: float) -> Answer | None:
     """What balls prove of a question, None where they are not available, not allowed any more, or inconclusive."""
-    balls = in_balls() if is_plain(model) else None
-    allowed = balls is not None and (allowance or Allowance()).take()
-    proof = getattr(balls, question)(model, *numbers) if allowed else None
+    allowed = is_plain(model) and in_balls() is not None and (allowance or Allowance()).take()
+    proof = question.in_balls(model, *numbers) if allowed else None
     return proof if proof is not None and proof.proved else None
 
 
@@ -133,7 +164,7 @@ def decided(found: SaddleNodes, model: Model, allowance: Allowance | None) -> Sa
     """Folds whose number doubles leave undecided, as balls prove them; as they are where these do not decide either."""
     if found.remarks is NOTHING:  # of most, and to look for one code takes longer
         return found
-    proof = _by_balls("folds", model, allowance, found.F_0) if Remark.UNDECIDED in found.remarks else None
+    proof = _by_balls(folds, model, allowance, found.F_0) if Remark.UNDECIDED in found.remarks else None
     if proof is None:
         return found
     # doubles may have more digits of one that lies next to a breakpoint
@@ -166,7 +197,7 @@ def decided_states(
     """
     proved: dict[float, ProvedStates] = {}
     for w in np.unique(found.Omega_undecided).tolist() if found.Omega_undecided.size else ():
-        proof = _by_balls("states", model, allowance, w, F_0)
+        proof = _by_balls(states, model, allowance, F_0, w)
         if proof is not None and not np.isnan(_middle(proof.A, None)).any():
             proved[w] = proof
     if not proved:
@@ -220,12 +251,12 @@ def decided_onset(model: Model, allowance: Allowance | None) -> SaddleNodeOnset 
     """
     if model.zeta == 0 or model.preload > 0 or not np.isfinite(model.averaged(0.0)[1]):
         return None
-    proof = _by_balls("onset", model, allowance)
+    proof = _by_balls(onset, model, allowance)
     # that none is born is proved of amplitudes up to one that stands for infinite ones, and no forcing bounds them
     if proof is None or not proof.kind:
         return None
     # whether folds at rest lie below it has to be proved as well
-    low, high = in_balls().at_rest(model, proof.F_0[1])
+    low, high = in_balls().ask("at_rest", model, BITS[-1], proof.F_0[1])
     on_end = [b for b in model.breakpoints if proof.kind == "corner" and proof.A[0] <= b <= proof.A[1]]
     ends = np.array((proof.F_0, proof.Omega, proof.A))
     F_SN, Omega, A = _middle(ends, np.array((np.nan, np.nan, on_end[0])) if on_end else None).tolist()
@@ -239,7 +270,7 @@ def decided_onset(model: Model, allowance: Allowance | None) -> SaddleNodeOnset 
 def decided_cusps(found: Cusps, model: Model, A_max: float) -> Cusps:
     """Cusps of which doubles have few digits, as balls prove them; as they are where these do not decide either."""
     asks = Remark.UNDECIDED in found.remarks and model.zeta > 0
-    proof = _by_balls("cusps", model, None, A_max) if asks else None
+    proof = _by_balls(cusps, model, None, A_max) if asks else None
     if proof is None:
         return found
     F_0, Omega, A = (_middle(enclosed, None) for enclosed in (proof.F_0, proof.Omega, proof.A))
@@ -286,55 +317,63 @@ def _middle(enclosed: Floats, known: Floats | None) -> Floats:
     return middle if known is None else np.where((low <= known) & (known <= high), known, middle)
 
 
-@_or_in_balls
-def folds(model: Model, F_0: float) -> ProvedFolds:
-    """Every fold at F_0, with what is proved of it."""
-    head, (Omega, A, corner, sign), others = _prove_at(backend.SOLVER.certify_folds, model, F_0)
+def _folds(model: Model, bits: int, found: Any, F_0: float) -> ProvedFolds:
+    head, (Omega, A, corner, sign), others = _at_forcing(model, bits, found, F_0)
     from slowflow.answers.certificate import ProvedFolds
 
     return ProvedFolds(*head, Omega, A, _KINDS[sign], corner, *others)
 
 
-@_or_in_balls
-def states(model: Model, Omega: float, F_0: float) -> ProvedStates:
-    """Every state at (Omega, F_0), with what is proved of it."""
-    head, (_, A, _, sign), others = _prove_at(backend.SOLVER.certify_states, model, F_0, Omega)
+def _states(model: Model, bits: int, found: Any, F_0: float, _: float) -> ProvedStates:
+    head, (_Omega, A, _corner, sign), others = _at_forcing(model, bits, found, F_0)
     from slowflow.answers.certificate import ProvedStates
 
     return ProvedStates(*head, A, sign > 0, *others)
 
 
-@_or_in_balls
-def onset(model: Model) -> ProvedForcing:
-    """F_SN, and that no fold is born at a lower forcing."""
-    if (answer := _prove(backend.SOLVER.certify_onset, model)) is None:
-        return _no_forcing(_why_not(model))
-    status, F_SN, Omega, A, kind, proved = answer
+def _onset(model: Model, bits: int, found: Any) -> ProvedForcing:
+    if found is None:
+        return _no_forcing(_why_not(model), bits)
+    status, F_SN, Omega, A, kind, proved = found
     if status != Status.OK:
         texts = {Status.UNBOUNDED: messages.OF_NO_LOWEST, Status.NONE: messages.OF_NO_ONSET}
-        return _no_forcing(texts.get(status, (messages.FAILED, messages.FAILED))[proved], proved=proved)
-    doubt = "" if proved else messages.ONSET_IN_DOUBT
-    return _forcing(proved, doubt, F_SN, Omega, A, solvers.ONSET_KINDS[kind])
+        return _no_forcing(texts.get(status, (messages.FAILED, messages.FAILED))[proved], bits, proved=proved)
+    doubt = "" if proved else _in_doubt(bits, messages.ONSET_IN_DOUBT)
+    return _forcing(proved, doubt, bits, F_SN, Omega, A, solvers.ONSET_KINDS[kind])
 
 
-@_or_in_balls
-def detachment(model: Model) -> ProvedForcing:
-    """F_cr: an enclosure of the lowest forcing that reaches the first breakpoint."""
-    if (answer := _prove(backend.SOLVER.certify_detachment, model)) is None:
-        return _no_forcing(_why_not(model))
-    if answer[0] == Status.NONE:
-        return _no_forcing(messages.NO_DETACHMENT, proved=True)
-    if answer[0] != Status.OK:
-        return _no_forcing(messages.FAILED)
-    _, F_cr, Omega_cr, u_cr = answer
-    return _forcing(True, "", F_cr, Omega_cr, u_cr)
+def _detachment(model: Model, bits: int, found: Any) -> ProvedForcing:
+    if found is None:
+        return _no_forcing(_why_not(model), bits)
+    status, F_cr, Omega_cr, u_cr = found
+    if status == Status.NONE:
+        return _no_forcing(messages.NO_DETACHMENT, bits, proved=True)
+    if status != Status.OK:
+        return _no_forcing(messages.FAILED, bits)
+    return _forcing(True, "", bits, F_cr, Omega_cr, u_cr)
 
 
-def _no_forcing(reason: str, *, proved: bool = False) -> ProvedForcing:
-    return _forcing(proved, reason, _NOTHING, _NOTHING, _NOTHING)
+def _no_forcing(reason: str, bits: int, *, proved: bool = False) -> ProvedForcing:
+    return _forcing(proved, reason, bits, _NOTHING, _NOTHING, _NOTHING)
 
 
-def _forcing(proved: bool, message: str, F_0: Floats, Omega: Floats, A: Floats, kind: str = "") -> ProvedForcing:
+def _forcing(
+    proved: bool, message: str, bits: int, F_0: Floats, Omega: Floats, A: Floats, kind: str = ""
+) -> ProvedForcing:
     from slowflow.answers.certificate import ProvedForcing
 
-    return ProvedForcing(proved, message, DOUBLES, F_0, Omega, A, kind)
+    return ProvedForcing(proved, message, bits, F_0, Omega, A, kind)
+
+
+def _cusps(_model: Model, bits: int, found: Any, _A_max: float) -> ProvedCusps:
+    from slowflow.averaged.balls.questions import ProvedCusps
+
+    proved, *columns = found
+    return ProvedCusps(proved, "" if proved else _in_doubt(bits, ""), bits, *columns)
+
+
+#: every fold at F_0; every state at F_0 and Omega; F_SN, and that no fold is born at a lower forcing; F_cr
+folds, states = Proof("certify_folds", _folds), Proof("certify_states", _states)
+onset, detachment = Proof("certify_onset", _onset), Proof("certify_detachment", _detachment)
+#: every cusp up to an amplitude, in balls alone
+cusps = Proof("cusps", _cusps)

@@ -172,7 +172,7 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
         states = None
         if Omega is not None:
             (at,) = validate.frequencies("Omega", validate.number("Omega", Omega)).ravel()
-            states = proofs.states(self.model, float(at), found.F_0)
+            states = proofs.states(self.model, found.F_0, float(at))
         folds = self._proved_folds(found)
         from slowflow.answers.certificate import Certificate
 

@@ -1,7 +1,6 @@
-"""The questions of native/certify.h, in balls. Takes a model with its numbers; returns enclosures, and what is proved.
+"""The questions of native/certify.h, in balls of any number of bits. Takes a model; returns the same tuples.
 
-For what intervals of doubles leave undecided: with twice as many bits and more, until all is decided or `BITS` are used
-up. None where a force has no form in balls.
+For what intervals of doubles leave undecided. None where a force has no form in balls.
 """
 
 from __future__ import annotations
@@ -11,14 +10,13 @@ import threading
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from functools import partial
-from typing import Any, NamedTuple, TypeVar
+from typing import Any, NamedTuple
 
 import numpy as np
 from flint import arb, ctx
 
-from slowflow.answers.answer import joined
-from slowflow.answers.certificate import Proved, ProvedFolds, ProvedForcing, ProvedStates
-from slowflow.averaged import messages, solvers
+from slowflow.answers.certificate import Proved
+from slowflow.averaged import solvers
 from slowflow.averaged.balls.search import (
     ALL,
     AT_0,
@@ -43,16 +41,11 @@ from slowflow.core.model import Floats, Model
 from slowflow_kernels import slow_flow_intervals as flow
 from slowflow_kernels import slow_flow_mu0_intervals as of_mu_0
 from slowflow_kernels import slow_flow_zeta0_intervals as of_zeta_0
-from slowflow_kernels.conventions import ENDLESS, FIRST, OnsetKind
+from slowflow_kernels.conventions import ENDLESS, FIRST, OnsetKind, Status
 
-#: how many bits are tried, in turn
-BITS = (128, 512)
-#: relative width of an enclosure whose middle is right to a unit in the last place of doubles
-SHARP = 2.0**-51
 #: by how much, relatively, the forcing up to which an onset is proved to be the lowest exceeds the one that was found
 ABOVE_ONSET = 2.0**-20
 
-Answer = TypeVar("Answer", bound=Proved)
 #: the digits of FLINT are one number for all threads
 _DIGITS = threading.Lock()
 
@@ -353,7 +346,7 @@ def lowest_at_rest(balls: BallModel) -> Enclosure | None:
     return Enclosure(min(one.lo for one in levels), min(one.hi for one in levels)) if decided else None
 
 
-# ---- answers ---------------------------------------------------------------------------------------------------------
+# ---- answers, as native/questions.h has them -----------------------------------------------------------------------
 
 
 def _double(end: arb, towards: float) -> float:
@@ -369,137 +362,104 @@ def _pairs(enclosures: Iterable[Enclosure]) -> Floats:
     return np.array(ends, dtype=float).reshape(-1, 2)
 
 
-def _is_sharp(found: Proved) -> bool:
-    """Whether enclosures tell each value to a unit in the last place."""
-    ends = [getattr(found, name).reshape(-1, 2) for name in ("F_0", "Omega", "A") if hasattr(found, name)]
-    return all(bool((high - low <= SHARP * high).all()) for low, high in (one.T for one in ends))
+def ask(question: str, model: Model, bits: int, *numbers: float) -> Any:
+    """What balls of so many bits answer, as the compiled solvers' question of that name; None where they have no form.
 
-
-def _in_doubt(where: str = "") -> str:
-    return messages.BALLS_IN_DOUBT.format(ctx.prec, where)
-
-
-def _decided(model: Model, ask: Callable[[BallModel], Answer | None]) -> Answer | None:
-    """An answer that is proved by as few bits as it takes for it to be sharp, or that of the most."""
+    A question that those have not: `cusps` up to an amplitude, whether all is proved, with F_0, Omega, A and which are
+    minima; `at_rest`.
+    """
     averages = averages_of(model.mechanism)
     if averages is None or not model.has_design:
         return None
     ends = model.mechanism.breakpoints(*model.parameters)  # of which a design without a preload has none above 0
     if not len(ends) == len(model.breakpoints) == len(model.jumps):
         return None
-    found = None
-    with _DIGITS, np.errstate(all="ignore"):
-        for bits in BITS:
-            with ctx.workprec(bits):
-                more = ask(BallModel(model, averages))
-            if more is None:
-                break
-            found = more if found is None or more.proved or not found.proved else found
-            if more.proved and _is_sharp(more):
-                break
-    return found
+    with _DIGITS, np.errstate(all="ignore"), ctx.workprec(bits):
+        return _QUESTIONS[question](BallModel(model, averages), *numbers)
 
 
-def _at_forcing(
-    model: Model, F_0: float, find: Callable[[Systems, float], Points], make: Callable[..., Answer]
-) -> Answer | None:
-    """Folds or states at a forcing; make: of points, and what is proved of them and of others."""
-
-    def ask(balls: BallModel) -> Answer | None:
-        if not F_0 > balls.m.hi:
-            sticks = bool(F_0 <= balls.m.lo)
-            message = messages.sticks(model, F_0) if sticks else _in_doubt(" on whether the mass moves")
-            return make([], proved=sticks, message=message, A_max=0.0, bounded=sticks, doubt=_pairs([]))
+def _at_forcing(balls: BallModel, F_0: float, find: Callable[[Systems, float], Points]) -> Any:
+    """Folds or states: status, Omega, A, corner, sign, what is in doubt, A_max, whether it bounds them, and is all."""
+    A_max, points, doubts = 0.0, list[Point](), list[Enclosure]()
+    status, bounded = Status.STICKS, bool(F_0 <= balls.m.lo)
+    if F_0 > balls.m.hi:
         try:
-            A_max = solvers.amplitude_bound(model, F_0)
+            A_max = solvers.amplitude_bound(balls.model, F_0)
         except OverflowError:
             return None
         points, doubts = find(Systems(balls, F_0), A_max)
-        bounded = balls.is_bounded(arb(F_0), A_max)
-        where = _in_doubt(" for A in " + messages.intervals(_pairs(doubts))) if doubts else ""
-        message = joined(where, "" if bounded else messages.NOT_BOUNDED.format(A_max))
-        others = {"A_max": A_max, "bounded": bounded, "doubt": _pairs(doubts)}
-        return make(points, proved=not doubts, message=message, **others)
-
-    return _decided(model, ask)
-
-
-def folds(model: Model, F_0: float) -> ProvedFolds | None:
-    """Every fold at F_0, with what is proved of it."""
-
-    def make(points: list[Point], **proof: Any) -> ProvedFolds:
-        # by rising frequency, of those that are the same double by rising amplitude, and of one of both the corner
-        points.sort(key=lambda one: (float(one.Omega.middle), float(one.on.A.middle), not one.corner))
-        kind = np.array([("", "jump-down", "jump-up")[one.sign] for one in points], dtype="U9")
-        corner = np.array([one.corner for one in points], dtype=bool)
-        Omega, A = _pairs(one.Omega for one in points), _pairs(one.on.A for one in points)
-        return ProvedFolds(bits=ctx.prec, Omega=Omega, A=A, kind=kind, corner=corner, **proof)
-
-    return _at_forcing(model, F_0, Systems.folds, make)
+        status, bounded = Status.OK, balls.is_bounded(arb(F_0), A_max)
+    # by rising frequency, of those that are the same double by rising amplitude, and of one of both the corner
+    points.sort(key=lambda one: (float(one.Omega.middle), float(one.on.A.middle), not one.corner))
+    columns = _pairs(one.Omega for one in points), _pairs(one.on.A for one in points)
+    corner, sign = np.array([one.corner for one in points], bool), np.array([one.sign for one in points], int)
+    return status, *columns, corner, sign, _pairs(doubts), A_max, bounded, True
 
 
-def states(model: Model, Omega: float, F_0: float) -> ProvedStates | None:
-    """Every state at (Omega, F_0), with what is proved of it."""
-
-    def make(points: list[Point], **proof: Any) -> ProvedStates:
-        stable = np.array([one.sign > 0 for one in points], dtype=bool)
-        return ProvedStates(bits=ctx.prec, A=_pairs(one.on.A for one in points), stable=stable, **proof)
-
-    return _at_forcing(model, F_0, lambda systems, A_max: systems.states(Enclosure.of(Omega), A_max), make)
+def _folds(balls: BallModel, F_0: float) -> Any:
+    return _at_forcing(balls, F_0, Systems.folds)
 
 
-def _forcing(proved: bool, message: str, best: Point | None = None) -> ProvedForcing:
-    ends = (np.empty(0),) * 3 if best is None else _pairs((best.level, best.Omega, best.on.A))
-    kind = "" if best is None else solvers.ONSET_KINDS[best.kind]
-    return ProvedForcing(proved, message, ctx.prec, ends[0], ends[1], ends[2], kind)
+def _states(balls: BallModel, F_0: float, Omega: float) -> Any:
+    return _at_forcing(balls, F_0, lambda systems, A_max: systems.states(Enclosure.of(Omega), A_max))
 
 
-def onset(model: Model) -> ProvedForcing | None:
+def _onset(balls: BallModel) -> Any:
     """F_SN, and that no fold is born at a lower forcing; or that there is none, or none that is the lowest.
 
     Next to the one that doubles found, if they did, which takes less time; else among all forcings, and amplitudes up
     to one that stands for infinite ones.
     """
-    F_0, A_max = math.inf, float(ENDLESS)
+    model, F_0, A_max = balls.model, math.inf, float(ENDLESS)
     try:
         if model.zeta > 0 and (F_SN := solvers.onset(model).F_SN) is not None:
             F_0 = F_SN * (1 + ABOVE_ONSET)
             A_max = solvers.amplitude_bound(model, F_0)
     except ArithmeticError:  # unresolved, or beyond the range of doubles
         F_0 = math.inf
-
-    def ask(balls: BallModel) -> ProvedForcing:
-        if model.zeta == 0 and tends_to_friction(balls):
-            return _forcing(True, messages.OF_NO_LOWEST[True])
-        best, proved = Systems(balls, F_0).lowest(A_max)
-        if F_0 < math.inf:
-            proved = proved and best is not None and best.level.hi < F_0 and balls.is_bounded(arb(F_0), A_max)
-        if best is None:
-            texts = messages.OF_NO_ONSET if proved or model.zeta > 0 else messages.OF_NO_LOWEST
-            return _forcing(proved, texts[proved])
-        return _forcing(proved, "" if proved else _in_doubt(), best)
-
-    return _decided(model, ask)
+    if model.zeta == 0 and tends_to_friction(balls):
+        return Status.UNBOUNDED, None, None, None, OnsetKind.NO, True
+    best, proved = Systems(balls, F_0).lowest(A_max)
+    if F_0 < math.inf:
+        proved = proved and best is not None and best.level.hi < F_0 and balls.is_bounded(arb(F_0), A_max)
+    if best is None:
+        return Status.NONE if proved or model.zeta > 0 else Status.UNBOUNDED, None, None, None, OnsetKind.NO, proved
+    return Status.OK, *_pairs((best.level, best.Omega, best.on.A)), best.kind, proved
 
 
-def detachment(model: Model) -> ProvedForcing | None:
+def _detachment(balls: BallModel) -> Any:
     """F_cr, the least level on the first breakpoint: at Omega = 0, or where F_Omega vanishes.
 
     Each point that is tried is a bound from above, and the least lies at one of them: points in doubt do no harm.
     """
+    if not balls.count:
+        return Status.NONE, None, None, None
+    systems, on = Systems(balls), balls.on(0)
+    found = frequencies_of(partial(systems.F_Omega, on), ZERO, 2 * flow.backbone(on.A, on.h).hi).positions()
+    levels = [(systems.level(w, on), w) for w in (*(w for w, _ in found), AT_0)]
+    hi = min(level.hi for level, _ in levels)
+    F_cr = Enclosure(min(level.lo for level, _ in levels), hi)
+    Omega = hull([w for level, w in levels if level.lo <= hi])
+    return (Status.OK, *_pairs((F_cr, Omega, on.A))) if Omega.hi < INFINITE else None
 
-    def ask(balls: BallModel) -> ProvedForcing | None:
-        if not balls.count:
-            return _forcing(True, messages.NO_DETACHMENT)
-        systems, on = Systems(balls), balls.on(0)
-        found = frequencies_of(partial(systems.F_Omega, on), ZERO, 2 * flow.backbone(on.A, on.h).hi).positions()
-        levels = [(systems.level(w, on), w) for w in (*(w for w, _ in found), AT_0)]
-        hi = min(level.hi for level, _ in levels)
-        F_cr = Enclosure(min(level.lo for level, _ in levels), hi)
-        Omega = hull([w for level, w in levels if level.lo <= hi])
-        return _forcing(True, "", Point(Omega, on, 1, F_cr)) if Omega.hi < INFINITE else None
 
-    return _decided(model, ask)
+def _cusps(balls: BallModel, A_max: float) -> Any:
+    points, doubts = Systems(balls).cusps(A_max)
+    points.sort(key=lambda one: float(one.on.A.middle))
+    columns = (_pairs(column) for column in zip(*((one.level, one.Omega, one.on.A) for one in points), strict=True))
+    minimum = np.array([one.sign > 0 for one in points], dtype=bool)
+    return not doubts and all(one.sign for one in points), *(columns if points else [_pairs([])] * 3), minimum
+
+
+def _at_rest(balls: BallModel, F_SN: float) -> Any:
+    """What holds the lowest level at which the fold locus ends at Omega = 0, infinite if it nowhere does.
+
+    From 0 on where that is not decided, or states at F_SN may lie beyond the amplitude that stands for infinite ones.
+    """
+    level = lowest_at_rest(balls)
+    if level is None or not balls.is_bounded(arb(F_SN), ENDLESS):
+        return 0.0, math.inf
+    return _pairs([level])[0].tolist()
 
 
 @dataclass(frozen=True, eq=False)
@@ -516,32 +476,11 @@ class ProvedCusps(Proved):
     minimum: Flags
 
 
-def cusps(model: Model, A_max: float) -> ProvedCusps | None:
-    """Every cusp up to A_max, with what is proved of it."""
-
-    def ask(balls: BallModel) -> ProvedCusps:
-        points, doubts = Systems(balls).cusps(A_max)
-        points.sort(key=lambda one: float(one.on.A.middle))
-        proved = not doubts and all(one.sign for one in points)
-        F_0, Omega = _pairs(one.level for one in points), _pairs(one.Omega for one in points)
-        A, minimum = _pairs(one.on.A for one in points), np.array([one.sign > 0 for one in points], dtype=bool)
-        return ProvedCusps(proved, "" if proved else _in_doubt(), ctx.prec, F_0, Omega, A, minimum)
-
-    return _decided(model, ask)
-
-
-def at_rest(model: Model, F_SN: float) -> tuple[float, float]:
-    """What holds the lowest level at which the fold locus ends at Omega = 0, infinite if it nowhere does.
-
-    From 0 on where that is not decided, or states at F_SN may lie beyond the amplitude that stands for infinite ones.
-    """
-    averages = averages_of(model.mechanism)
-    if averages is None:
-        return 0.0, math.inf
-    with _DIGITS, ctx.workprec(BITS[-1]):
-        balls = BallModel(model, averages)
-        level = lowest_at_rest(balls)
-        if level is None or not balls.is_bounded(arb(F_SN), ENDLESS):
-            return 0.0, math.inf
-        low, high = _pairs([level])[0].tolist()
-        return low, high
+_QUESTIONS: dict[str, Callable[..., Any]] = {
+    "certify_folds": _folds,
+    "certify_states": _states,
+    "certify_onset": _onset,
+    "certify_detachment": _detachment,
+    "cusps": _cusps,
+    "at_rest": _at_rest,
+}

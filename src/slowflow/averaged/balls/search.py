@@ -184,7 +184,7 @@ class BallModel:
     """
 
     def __init__(self, model: Model, averages: ModuleType) -> None:
-        self.averages, self.digits = averages, ctx.prec
+        self.model, self.averages, self.digits = model, averages, ctx.prec
         self.design, self.count = [arb(number) for number in model.design], len(model.breakpoints)
         self._kept: dict[int, tuple[Any, ...]] = {}
         self.m, self.zeta = Enclosure.of(slow_flow_balls.friction(arb(model.mu))), Enclosure.of(model.zeta)
