@@ -102,7 +102,7 @@ static void sf_limit_by_damping(const sf_law_search *search, const sf_strip *str
     const sf_laws_within *laws = &search->laws;
     const sf_interval A = strip->cell.A;
     sf_interval most = sf_all();
-    if (!(search->F_0 < HUGE_VAL) || search->far != sf_inertial(search->model))
+    if (!(search->F_0 < HUGE_VAL))
         return;
     if (search->far)
         most = dissipation_intervals_velocity(search->force, sfi_mul(laws->d, sfi_square(A)), sfi_mul(strip->zeta[0], A),
@@ -185,7 +185,7 @@ static int sf_may_be_product(sf_interval product, sf_interval one, sf_interval o
 /* Narrows R and w to what the functions demand of them where both vanish; 0 where that is nothing. */
 static int sf_narrow_unknowns(const sf_law_search *search, const sf_strip *strip, sf_unknowns *of) {
     const sf_cell *cell = &strip->cell;
-    sf_interval force = search->force;
+    const sf_interval force = search->force;
     const int folded = sf_is_folded(search), forced = sf_is_forced(search), stationary = sf_is_stationary(search);
     /* where I I_A >= 0 R and its slope differ in sign: -h/A and -h_A enclose Omega^2, and R lies between 0 and k */
     const int apart = folded && strip->rest[1].lo >= 0;
@@ -201,8 +201,6 @@ static int sf_narrow_unknowns(const sf_law_search *search, const sf_strip *strip
         if (sf_is_none(of->w))
             return 0;
         sf_interval square = sfi_square(of->w);
-        if (search->far != sf_inertial(search->model))
-            force = sfi_mul(search->force, square);
         sf_balances_at(search, strip, of->w, &at);
         of->R = sfi_both(sfi_both(of->R, sfi_of(-force.hi, force.hi)), at.R);
         at.I = sfi_both(at.I, sfi_of(-HUGE_VAL, force.hi));
@@ -224,23 +222,6 @@ static int sf_narrow_unknowns(const sf_law_search *search, const sf_strip *strip
             return 0;
         if (stationary && search->far && sf_has_level_slope(search, strip, of->w))
             return 0;
-        if (folded && stationary) {
-            /* R_A is what F_A = 0 makes of the R that a stationary level leaves; where h vanishes too, it tells */
-            const sf_interval of_unit_I = /* R over -I there */
-                search->far ? sfi_add(strip->rest[0], sfi_div(sfi_mul(strip->zeta[0], cell->A), of->w))
-                            : dissipation_intervals_R_of_peak(of->w, cell->A, strip->zeta[0], search->laws.d,
-                                                              search->laws.d_3, sfi_point(-1));
-            const sf_interval ratio = sfi_inverse(of_unit_I);
-            const sf_interval far = sfi_both(sfi_mul(cell->h, at.I_A),
-                                             sfi_mul(sfi_sub(of->R, cell->A), sfi_div(at.I_A, square)));
-            const sf_interval rise =
-                sfi_add(strip->rest[1], sfi_times(2, sfi_mul(sfi_mul(strip->zeta[1], cell->A), of->w)));
-            const sf_interval slope =
-                search->far ? sfi_mul(far, ratio) : sfi_add(sfi_times(2, square), sfi_mul(rise, ratio));
-            at.R_A = sfi_both(slope, at.R_A);
-            if (sf_is_none(at.R_A))
-                return 0;
-        }
         if (folded) {
             const sf_interval P = sfi_neg(sfi_mul(at.I, at.I_A)); /* R R_A */
             const sf_interval K = search->far ? sfi_mul(cell->k, square) : cell->k;

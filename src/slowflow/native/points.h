@@ -345,8 +345,8 @@ static int sf_is_in_doubt(const sf_law_points *found, double A) {
     return found->undecided > 0 && fabs(found->doubt[found->undecided - 1] - A) <= SF_CLOSE * A;
 }
 
-/* All points of a system on a piece of the force from `first` to `last`, with w up to `most`. */
-static void sf_search_points_up_to(sf_law_search *search, const sf_sample *first, const sf_sample *last, double most) {
+/* All points of a system on a piece of the force from `first` to `last`. */
+static void sf_search_points(sf_law_search *search, const sf_sample *first, const sf_sample *last) {
     sf_law_points *found = &search->found;
     int top = 0;
     search->end = last->A;
@@ -362,7 +362,7 @@ static void sf_search_points_up_to(sf_law_search *search, const sf_sample *first
         search->pending[0].a.at = sf_sample_at(search->model, SF_NEXT_TO_PRELOAD * last->A);
     sf_know(&search->pending[0].a.at, &search->pending[0].a.known);
     sf_know(&search->pending[0].b.at, &search->pending[0].b.known);
-    search->pending[0].of.R = sf_all(), search->pending[0].of.w = sfi_of(0, most);
+    search->pending[0].of.R = sf_all(), search->pending[0].of.w = sfi_of(0, HUGE_VAL);
     for (top = 1; top > 0;) {
         sf_law_box *box = &search->pending[top - 1], *next = box + 1;
         const double a = box->a.at.A, b = box->b.at.A, middle = sf_amid(search->base, a, b);
@@ -403,19 +403,6 @@ static void sf_search_points_up_to(sf_law_search *search, const sf_sample *first
         }
         top++;
     }
-}
-
-/* All of them. Neither F_A nor F_AA knows of the excitation: cusps up to a level are looked for up to Omega = 1, and
- * beyond by 1/Omega, but for cubic damping, which grows over Omega^2. */
-static void sf_search_points(sf_law_search *search, const sf_sample *first, const sf_sample *last) {
-    const int far = search->far;
-    if (search->system != SF_LAW_CUSPS || !(search->F_0 < HUGE_VAL) || search->laws.d_3.hi > 0) {
-        sf_search_points_up_to(search, first, last, HUGE_VAL);
-        return;
-    }
-    for (search->far = 0; search->far < 2; search->far++)
-        sf_search_points_up_to(search, first, last, 1);
-    search->far = far;
 }
 
 static void sf_begin_search(const sf_model *model, sf_law_system system, double F_0, sf_law_search *search) {
