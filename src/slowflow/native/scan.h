@@ -17,11 +17,6 @@
 #define SF_WIDEST_CELL 4
 #define SF_WIDEST_WITH_CUSP 2
 
-/* Where a function passes through zero in a cell, and its values at the ends differ by more than this factor, this
- * share of the cell is cut off at the end with the smaller one, next to which the function is more likely to turn. */
-#define SF_UNLIKE 4
-#define SF_LESSER_SHARE 0.25
-
 /* A cell in which folds begin is cut at this share of where they seem to, and one that begins there at this multiple of
  * its beginning. */
 #define SF_BELOW_FOLDS 0.99
@@ -266,19 +261,9 @@ static int sf_is_too_wide(const sf_search *search, const sf_probe *a, const sf_p
     return turns || sf_folds_begin(search, a, b);
 }
 
-/* Where a cell is cut: well inside, but where cusps are, away from a corner, nearer to the end at which the passing
- * channel may turn; where folds begin, there; and next to A = 0, where there is a state as often as elsewhere, in the
- * middle. */
-static double sf_cut(const sf_search *search, const sf_probe *a, const sf_probe *b, int passing) {
-    if (search->task.question == SF_CUSP && passing >= 0 && a->at.A > search->base &&
-        b->at.A <= SF_WIDEST_CELL * a->at.A) {
-        const double y_a = fabs(a->answer.y[passing]), y_b = fabs(b->answer.y[passing]);
-        const double less = SF_LESSER_SHARE * (b->at.A - a->at.A);
-        if (SF_UNLIKE * y_a < y_b)
-            return a->at.A + less;
-        if (SF_UNLIKE * y_b < y_a)
-            return b->at.A - less;
-    }
+/* Where a cell is cut: well inside; where folds begin, there; and next to A = 0, where there is a state as often as
+ * elsewhere, in the middle. */
+static double sf_cut(const sf_search *search, const sf_probe *a, const sf_probe *b) {
     if (sf_folds_begin(search, a, b))
         return sf_cut_at_folds(search, a, b);
     if (search->task.question == SF_STATE && a->at.A == 0)
@@ -288,7 +273,7 @@ static double sf_cut(const sf_search *search, const sf_probe *a, const sf_probe 
 
 static void sf_search_between(const sf_search *search, const sf_probe *a, const sf_probe *b, int open) {
     const int passing = sf_passing(a, b, open);
-    const double A = sf_cut(search, a, b, passing);
+    const double A = sf_cut(search, a, b);
     const int last = !(A > a->at.A && A < b->at.A) || b->at.A - a->at.A <= SF_NARROW * b->at.A;
     sf_probe middle;
     sf_range range[2];
