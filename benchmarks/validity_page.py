@@ -389,6 +389,7 @@ def _random(rows: list[dict[str, Any]]) -> dict[str, Any]:
         "random_about_dry": largest_about("isolator", 1, shares=(0.8,)),
         "random_about_stop": largest_about("one stop", 1, shares=more),
         "random_about_stop_v": largest_about("one stop", 2, shares=more),
+        "random_about_stop_v_narrow": largest_about("one stop", 2, shares=more, narrow=True),
         "random_about_stop_mean": largest_about("one stop", 0, shares=more, narrow=True),
         "random_at_6": largest("linearized", 0.6, "isolator"),
         "random_at_8": largest("linearized", 0.8, "isolator"),
