@@ -70,7 +70,8 @@ def claims(derived: Derived) -> Claims:
             TRUE if max(shifts) < ERRORS else FALSE,
             f"{len(rows)} phases, nothing fitted. The first harmonic of Den Hartog's motion is off by {exact}, the "
             f"averaged phase (25) by {averaged}; that of the largest displacement would be off by {maximum}. The "
-            f"phases scatter by {rounded(scatter, 1)}° about the mean of their friction and side of the resonance; "
-            f"of these {len(means)} means none is off by more than {rounded(max(shifts), 1)} of its standard errors.",
+            f"phases scatter by {rounded(scatter, 1)}° about the mean at the same friction on the same side of "
+            f"resonance; of these {len(means)} means none is off by more than {rounded(max(shifts), 1)} of its "
+            "standard errors.",
         )
     }

@@ -126,7 +126,7 @@ def claims(derived: Derived) -> Claims:
         ),
         "exponential": (
             TRUE if at_peak and decays else FALSE,
-            "At the peak γ = π/2, where ∂a'/∂γ = 0: a disturbance of a decays by itself, as exp(−εμt). One of the "
-            "phase, driven by that of a, decays as t exp(−εμt): the eigenvalue is double.",
+            "At the peak γ = π/2, where ∂a'/∂γ = 0: a disturbance of the amplitude decays by itself, as exp(−εμt). One "
+            "of the phase, driven by that of the amplitude, decays as t exp(−εμt): the eigenvalue is double.",
         ),
     }

@@ -22,4 +22,4 @@ CITATION = (
     "P. J. Holmes, D. A. Rand, The bifurcations of Duffing's equation: an application of catastrophe theory, J. Sound "
     "Vib. 44 (1976) 237–253"
 )
-READ_IN = "A notebook, Duffing Oscillator Bifurcation, that quotes both, without the paper's equation numbers."
+READ_IN = "A notebook, Duffing Oscillator Bifurcation, that quotes both formulas, without the paper's equation numbers."
