@@ -247,7 +247,7 @@ forces, maps.
 DETAILS = """# Further measurements
 
 Written by `make bench`, from the JSON files in this folder. [For users](../../docs/benchmarks.md); [what limited the
-speed when it was last taken apart](history.md).
+speed when it was last analysed](history.md).
 """
 
 
