@@ -76,9 +76,9 @@ def of_duration(duration: Any, f_n: Any) -> Iterator[str]:
 def _remarks(beyond: Mapping[str, Any], **numbers: Any) -> Iterator[str]:
     """The sentences whose numbers over their limit exceed 1, with the numbers of the mount where that is largest."""
     for sentence, over in beyond.items():
-        measure, *values = np.broadcast_arrays(over, *numbers.values())
-        measure = np.where(np.isfinite(measure), measure, 0.0)  # the others are no mounts, which have a status
-        if (measure > 1).any():
+        implausible = (over > 1) & (over < np.inf)  # infinite ones are no mounts, which have a status
+        if implausible.any():
+            measure, *values = np.broadcast_arrays(np.where(implausible, over, 0.0), *numbers.values())
             at = np.unravel_index(np.argmax(measure), measure.shape)
             yield sentence.format(**{name: value[at] for name, value in zip(numbers, values, strict=True)})
 

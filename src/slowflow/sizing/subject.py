@@ -6,7 +6,6 @@ Parameters of a mount are varied in SI units; some, such as m or k_v, change the
 from __future__ import annotations
 
 import math
-import warnings
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from types import MappingProxyType, SimpleNamespace
@@ -27,7 +26,7 @@ from slowflow.off_centre.many import OffCentreDesigns
 from slowflow.oscillators.isolator import Isolator, _averaged
 from slowflow.oscillators.oscillator import Oscillator
 from slowflow.oscillators.physical import Physical
-from slowflow.oscillators.range_checks import Implausible
+from slowflow.oscillators.physical_designs import PhysicalDesigns
 from slowflow.support.errors import Refused, WrongType
 from slowflow_kernels import inertia, slow_flow
 from slowflow_kernels.conventions import FoldKind, Status
@@ -293,9 +292,9 @@ class Subject:
             # a load that is m moves nothing from the centre, and batches do not know static friction
             without = (STATIC, *(["load"] if not self.loaded else []))
             others = {name: None for name in without if name in self.mount.given}
-            with warnings.catch_warnings():
-                warnings.simplefilter("ignore", Implausible)  # designs on trial may be far from the mount
-                scales, numbers = self.mount.many(**numbers, **others).dimensionless
+            # not by `many`, which warns: designs on trial may be far from the mount
+            sheet = self.mount._changed({**numbers, **others})
+            scales, numbers = PhysicalDesigns(self.mount._kind, sheet).dimensionless
             units = {**scales.sizes, "": 1.0}
         numbers = {name: value for name, value in numbers.items() if name not in LAWS or name in self.laws}
         arrays = {name: np.broadcast_to(np.asarray(value, dtype=float), shape) for name, value in numbers.items()}
