@@ -36,15 +36,8 @@ def test_at_rest_many_have_a_stroke_that_no_base_motion_reaches(force):
 @pytest.mark.slow
 def test_friction_of_the_rod_does_not_always_hold_on_a_base():
     """Many designs were reported to stick, as under a force; at this acceleration every base makes the mass slip."""
-    design = {
-        "lam": 1.0,
-        "r": 1.0,
-        "delta_h": 0.1,
-        "mu": 0.07,
-        "zeta": 0.3,
-        "excitation": "base",
-        "contact": "attached",
-    }
+    design = {"lam": 1.0, "r": 1.0, "delta_h": 0.1, "mu": 0.07, "zeta": 0.3}
+    design |= {"excitation": "base", "contact": "attached"}
     many, single = Isolator.many(**design), Isolator(**design)
     for F_0 in (0.05, 0.2):
         found, margins = many.margins(F_0), single.margins(F_0)

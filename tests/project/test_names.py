@@ -23,7 +23,7 @@ ROOMS = {
 PUBLIC = {
     "answers/answer.py": {"share"},
     "answers/table.py": {"rests", "stands"},
-    "answers/physical_answers.py": {"rests", "stands"},
+    "answers/physical_answers.py": {"rests"},
     "app/scenes.py": {"asked"},
     "app/verdict.py": {"share"},
     "averaged/batches.py": {"asked"},

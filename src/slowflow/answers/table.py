@@ -29,8 +29,6 @@ AVERAGING, SECOND, OFFSET = "averaging", "second approximation", "offset motion"
 #: points of a batch's curves beyond the samples: one for each piece that folds, peaks and corners cut a curve into, and
 #: one for each curve; in the second approximation also those inserted where the harmonics change fast
 MORE_POINTS = {AVERAGING: 64, SECOND: 256, OFFSET: 64}
-
-
 #: bits of a double
 DOUBLES = 53
 

@@ -32,7 +32,7 @@ from slowflow_kernels.domains import DAMPING, DISSIPATION
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-if TYPE_CHECKING:  # which columns an answer has, its row tells; four of them some answers compute
+    # which columns an answer has, its row tells; four of them some answers compute
     OfDesigns = Columns
 else:
     OfDesigns = object

@@ -190,7 +190,7 @@ class Designs(Unchanging, ManyQuestions[Batch]):
     values    -- the parameters of its design by name, mu, zeta, and those of `DISSIPATION` that are used; real arrays
             that broadcast
     excitation -- kind of excitation with the amplitude F_0, the same for all: "force", "base" or "unbalance"
-    contact      -- where dry friction acts, the same for all: "throughout" or "attached"
+    contact   -- where dry friction acts, the same for all: "throughout" or "attached"
 
     Raises TypeError for a name that is missing or unknown.
     """

@@ -72,11 +72,11 @@ THROUGHOUT = next(iter(CONTACTS))
 class Laws:
     """The damping laws of an oscillator other than viscous damping and dry friction throughout.
 
-    eta    -- loss factor of the vertical spring
-    c_2    -- quadratic damping, c_2 |u'|u'
-    c_3    -- cubic damping, c_3 u'^3
-    zeta_2 -- viscous damping that grows with the displacement, 2 (zeta + zeta_2 u^2) u'
-    contact   -- where dry friction acts, a key of `CONTACTS`
+    eta     -- loss factor of the vertical spring
+    c_2     -- quadratic damping, c_2 |u'|u'
+    c_3     -- cubic damping, c_3 u'^3
+    zeta_2  -- viscous damping that grows with the displacement, 2 (zeta + zeta_2 u^2) u'
+    contact -- where dry friction acts, a key of `CONTACTS`
     """
 
     eta: float = 0.0

@@ -178,8 +178,8 @@ class PhysicalDesigns(TakesAmplitude, Unchanging):
     Made by `mount.many(k_h=..., m=...)`. The questions are those of the mount that `Isolator.many` has too, with the
     mount's arguments, each a number or an array, and with the options of the batch:
 
-    max_count  -- largest number of entries per mount, along an additional axis
-    workers -- threads that share the mounts, -1 for one per processor
+    max_count -- largest number of entries per mount, along an additional axis
+    workers   -- threads that share the mounts, -1 for one per processor
 
     A mount without a result raises nothing: `.status` has the reason. Mounts of different m, k_v or L are evaluated
     one after another if they share a window of frequencies, a spectral density or a duration in seconds.
