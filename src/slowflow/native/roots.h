@@ -403,7 +403,7 @@ static inline sf_place sf_place_of(int exist, double f0, double f1, double f2, i
     sf_place place[3];
     const int shown = sf_places(exist, f0 < 0, f1 > 0, f2 < 0, place);
     if (shown == count)
-        return index < count ? place[index] : SF_AT_W2;
+        return index >= 0 && index < count ? place[index] : SF_AT_W2;
     if (shown == count - 1) /* the lowest has gone to 0 */
         return index == 0 ? SF_AT_0 : place[index - 1];
     if (shown == count + 1) /* one has come from 0 */
