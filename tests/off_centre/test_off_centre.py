@@ -21,7 +21,7 @@ from slowflow.averaged.isolating import Level
 from slowflow.core.backend import SOLVER
 from slowflow.core.model import Model
 from slowflow.example import TABLE_1, isolator
-from slowflow.off_centre import answers, reach
+from slowflow.off_centre import answers, reach, solution_sheets
 from slowflow.off_centre.means import ORDERS, Steps
 from slowflow.off_centre.questions import OffCentre
 from slowflow.off_centre.turning_points import Charts
@@ -163,6 +163,18 @@ def test_charts_that_cannot_be_read_hold_any_number():
 
 
 @pytest.mark.slow
+def test_cells_cut_in_blocks_are_those_cut_together(loaded, monkeypatch):
+    """No more blocks are looked at than show that too many cells are left."""
+    sheets = loaded.off_centre._complete.sheets
+    cells = sheets.cells(1.0)
+    together = sheets.cut(cells)
+    monkeypatch.setattr(solution_sheets, "TOGETHER", 16)
+    in_blocks, few = sheets.cut(cells), sheets.cut(cells, most=20)
+    for name in ("low", "high", "chart"):
+        np.testing.assert_array_equal(getattr(in_blocks, name), getattr(together, name))
+    assert 20 < few.chart.size <= 20 + 16 < together.chart.size
+
+
 def test_boxes_by_ends_enclose_means_and_slopes():
     """In every chart, up to its edges, where c_1 has no bound: the slopes by x and y have."""
     rng, n = np.random.default_rng(5), 400
