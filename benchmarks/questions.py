@@ -24,6 +24,7 @@ from benchmarks.quartics import ACM, BOOST
 from benchmarks.remote import ROOT, Remote, in_turn
 from slowflow import example
 from slowflow.example import isolator
+from slowflow_kernels.conventions import Status
 
 
 @dataclass(frozen=True)
@@ -42,7 +43,7 @@ class Size:
 SMALL = Size(200, 20000, 2, 10**4, 10**3, 3, 10**6)
 EARLIER = "measured earlier, on"
 #: from this status on, a design was not solved although it has an answer
-UNSOLVED = 5
+UNSOLVED = Status.NO_BOUND
 #: designs whose curves are drawn at once, 30 kB each
 CURVES = 1000
 

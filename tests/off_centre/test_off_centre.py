@@ -162,7 +162,6 @@ def test_charts_that_cannot_be_read_hold_any_number():
     assert (found.reshape(-1, 2) == (-np.inf, np.inf)).all()
 
 
-@pytest.mark.slow
 def test_cells_cut_in_blocks_are_those_cut_together(loaded, monkeypatch):
     """No more blocks are looked at than show that too many cells are left."""
     sheets = loaded.off_centre._complete.sheets
@@ -175,6 +174,7 @@ def test_cells_cut_in_blocks_are_those_cut_together(loaded, monkeypatch):
     assert 20 < few.chart.size <= 20 + 16 < together.chart.size
 
 
+@pytest.mark.slow
 def test_boxes_by_ends_enclose_means_and_slopes():
     """In every chart, up to its edges, where c_1 has no bound: the slopes by x and y have."""
     rng, n = np.random.default_rng(5), 400

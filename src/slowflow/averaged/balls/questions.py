@@ -346,7 +346,7 @@ def lowest_at_rest(balls: BallModel) -> Enclosure | None:
     return Enclosure(min(one.lo for one in levels), min(one.hi for one in levels)) if decided else None
 
 
-# ---- answers, as native/questions.h has them -----------------------------------------------------------------------
+# ---- answers, as native/questions.h has them -------------------------------------------------------------------------
 
 
 def _double(end: arb, towards: float) -> float:
