@@ -81,7 +81,7 @@ def jobs() -> list[Job]:
     ]
 
 
-def in_turn(rounds: int) -> list[Row]:
+def by_job(rounds: int) -> list[Row]:
     """The jobs, `rounds` times at most, in turn with heyoka where that does them and is installed.
 
     All around heyoka's integration is Python; the first job is the integration alone.

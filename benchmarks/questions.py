@@ -54,11 +54,11 @@ def measure(size: Size, before: dict[str, Any]) -> list[dict[str, Any]]:
     for part in GROUPS:
         print(f"{part.__name__} ...", file=sys.stderr, flush=True)
         found += part(size)
-    return with_earlier([asdict(row) for row in found], before)
+    return with_others([asdict(row) for row in found], before)
 
 
-def with_earlier(rows: list[dict[str, Any]], before: dict[str, Any]) -> list[dict[str, Any]]:
-    """The rows, in which others that are not installed have what was last measured of them, which says so."""
+def with_others(rows: list[dict[str, Any]], before: dict[str, Any]) -> list[dict[str, Any]]:
+    """The rows, in which other programs that are not installed have what was last measured of them, which says so."""
     known = {row["job"]: row.get("others", {}) for row in before.get("rows", ())}
     for row in rows:
         for name, text in row["others"].items():
@@ -295,7 +295,7 @@ def motions(size: Size) -> list[Row]:
     error = largest_error([[fold.Omega for fold in curve.folds]], [certified.exact_folds()])
     check(residual <= 1e-12 and error <= 1e-13, "the exact curve of Table 1")
     return [
-        *bench_exact.in_turn(5 * size.rounds),
+        *bench_exact.by_job(5 * size.rounds),
         Row("exact: error of an averaged result by the equation of motion, per state", per_state, "s"),
         Row("exact: first answer of a fresh process, import included", footprint.answering(), "s"),
         Row("exact: residual of periodicity, largest on the curve", residual, ""),

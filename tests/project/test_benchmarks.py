@@ -90,10 +90,10 @@ def test_peers_not_at_hand_keep_their_figures() -> None:
     """And say so once, however often they are missed; what was never measured stays missing."""
     before = {"environment": {"processor": "another"}, "rows": [{"job": "quartic", "others": {"Boost.Math": "90 ns"}}]}
     for _ in range(2):
-        (row,) = questions.with_earlier([{"job": "quartic", "others": {"Boost.Math": None, "ACM": None}}], before)
+        (row,) = questions.with_others([{"job": "quartic", "others": {"Boost.Math": None, "ACM": None}}], before)
         assert row["others"] == {"Boost.Math": "90 ns (measured earlier, on another)", "ACM": None}
         before = {"environment": {"processor": "a third"}, "rows": [row]}
-    (row,) = questions.with_earlier([{"job": "quartic", "others": {"Boost.Math": "80 ns"}}], before)
+    (row,) = questions.with_others([{"job": "quartic", "others": {"Boost.Math": "80 ns"}}], before)
     assert row["others"] == {"Boost.Math": "80 ns"}
     row = {"job": "quartic", "comparison": "NumPy", "others": {"Boost.Math": "80 ns", "ACM": None}}
     assert document.comparison(row) == "NumPy; 80 ns; ACM is not installed here"
