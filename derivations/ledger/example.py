@@ -90,7 +90,7 @@ class Example:
         self.parameters = dict(parameters)
         self.zeta, self.m = ball(parameters["zeta"]), 4 * ball(parameters["mu"]) / arb.pi()
         self.known = {**coefficients(derived, parameters), m: self.m, zeta: self.zeta}
-        self.attached_forms = derived.whole.regimes[0].derivatives
+        self.attached_forms = derived.whole.regimes[0].derivatives[:3]
         regime = derived.whole.regimes[1]
         self.u_cr = self.known[regime.passed[0]]
         self.lets = regime.lets
@@ -103,7 +103,7 @@ class Example:
     def attached(self, amplitude: Any) -> dict[sp.Symbol, Any]:
         """A, h, h_A, h_AA for A <= u_cr, with the coefficients and the damping."""
         values = {**self.known, A: amplitude}
-        forms = zip((h, h_A, h_AA), self.attached_forms, strict=False)
+        forms = zip((h, h_A, h_AA), self.attached_forms, strict=True)
         return values | {symbol: evaluate(form, values) for symbol, form in forms}
 
     def detached(self, t: Any) -> tuple[dict[sp.Symbol, Any], Any]:

@@ -309,7 +309,7 @@ def test_onset_is_not_refused_for_the_other_force(above):
     assert found.kind == "corner" and found.F_SN == many.F_SN and many.status == Status.OK
     assert Remark.OF_TRUNCATION in found.remarks and int(found.remarks) == int(many.remarks)
     other = found.untruncated.F_SN
-    assert (other is None) == (proofs.in_balls() is None)  # doubles refuse it
+    assert (other is None) == (proofs.ball_questions() is None)  # doubles refuse it
     assert np.isnan(many.untruncated) if other is None else many.untruncated == other
     untruncated = f": {found.untruncated.message}" if other is None else f" F_SN = {other:.4g}, a cusp"
     assert f"without truncation{untruncated}" in found.message

@@ -152,7 +152,7 @@ def test_balls_are_bounded_and_the_rest_is_undecided(monkeypatch):
 def test_a_batch_asks_balls_once(monkeypatch):
     one, F_0 = NEAR_FOLDS["hardening"]
     frequencies = beside_folds(one, F_0)[:2]
-    balls, tried = proofs.in_balls(), []
+    balls, tried = proofs.ball_questions(), []
     ask = balls.ask
     monkeypatch.setattr(balls, "ask", lambda *arguments: tried.append(arguments) or ask(*arguments))
     batch(one).amplitudes(Omega=frequencies, F_0=F_0)

@@ -106,7 +106,7 @@ def test_undecided_folds_are_undecided_in_what_rests_on_them():
 )
 def test_folds_undecided_about_the_centre_are_undecided_off_it(monkeypatch, one):
     """As without python-flint, which decides more: those about the centre are among all motions."""
-    monkeypatch.setattr(proofs, "in_balls", lambda: None)
+    monkeypatch.setattr(proofs, "ball_questions", lambda: None)
     onset, marked = one.saddle_node_onset().F_SN, []
     for F_0 in onset * (1 + 1e-15 * np.arange(-3, 4)):
         if Remark.UNDECIDED in one.saddle_nodes(F_0).remarks:
@@ -117,7 +117,7 @@ def test_folds_undecided_about_the_centre_are_undecided_off_it(monkeypatch, one)
 
 
 def test_response_undecided_about_the_centre_is_undecided_off_it(monkeypatch):
-    monkeypatch.setattr(proofs, "in_balls", lambda: None)
+    monkeypatch.setattr(proofs, "ball_questions", lambda: None)
     one, marked = Isolator(**TABLE_1), []
     assert one.off_centre._keeps_centre
     for F_0 in one.saddle_node_onset().F_SN * (1 + 1e-15 * np.arange(-3, 4)):

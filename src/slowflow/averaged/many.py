@@ -285,7 +285,7 @@ class Designs(Unchanging, ManyQuestions[Batch]):
         named = dict(zip(QUESTIONS[question.name].columns[AVERAGING], columns, strict=True))
         left = (named["status"] == Status.UNRESOLVED) | np.asarray(named.get("undecided", 0) != 0)
         by_balls = np.zeros(left.shape, dtype=bool)
-        if self.excitation != "force" or self.laws or not left.any() or proofs.in_balls() is None:
+        if self.excitation != "force" or self.laws or not left.any() or proofs.ball_questions() is None:
             return by_balls
         assert question.one is not None  # of a proof `_certify` asks balls
         most = proofs.MOST_ONSETS_IN_BALLS if question.name == "saddle_node_onset" else proofs.MOST_IN_BALLS
@@ -363,7 +363,7 @@ class Designs(Unchanging, ManyQuestions[Batch]):
     ) -> None:
         """Change the columns where doubles do not decide, and balls are there."""
         left = (proved == 0) & (status != Status.INVALID) & (status != Status.NO_MEMORY)
-        if not left.any() or proofs.in_balls() is None:
+        if not left.any() or proofs.ball_questions() is None:
             return
         for at, numbers, (F, *frequency) in self._each(left, F_0, *([] if Omega is None else [Omega])):
             try:

@@ -66,7 +66,7 @@ class Allowance:
         return self.left >= 0
 
 
-def in_balls() -> Any:
+def ball_questions() -> Any:
     """What proves in balls, `slowflow.averaged.balls.questions`; None without python-flint."""
     if importlib.util.find_spec("flint") is None:
         return None
@@ -91,7 +91,7 @@ class Proof(Generic[Answer]):
         found = self.in_doubles(model, *numbers)
         if found.proved or not model.has_design:
             return found
-        if in_balls() is None:
+        if ball_questions() is None:
             return dataclasses.replace(found, message=joined(found.message, messages.NO_BALLS))
         decided = self.in_balls(model, *numbers)
         return found if decided is None else decided
@@ -103,7 +103,7 @@ class Proof(Generic[Answer]):
 
     def in_balls(self, model: Model, *numbers: float) -> Answer | None:
         """What balls of as few bits as it takes for it to be sharp prove, or those of the most; None without them."""
-        best, balls = None, in_balls()
+        best, balls = None, ball_questions()
         for bits in BITS if balls is not None and model.has_design else ():
             if (found := balls.ask(self.name, model, bits, *numbers)) is None:
                 break
@@ -155,7 +155,7 @@ def is_plain(model: Model) -> bool:
 
 def _by_balls(question: Proof[Answer], model: Model, allowance: Allowance | None, *numbers: float) -> Answer | None:
     """What balls prove of a question, None where they are not available, not allowed any more, or inconclusive."""
-    allowed = is_plain(model) and in_balls() is not None and (allowance or Allowance()).take()
+    allowed = is_plain(model) and ball_questions() is not None and (allowance or Allowance()).take()
     proof = question.in_balls(model, *numbers) if allowed else None
     return proof if proof is not None and proof.proved else None
 
@@ -256,7 +256,7 @@ def decided_onset(model: Model, allowance: Allowance | None) -> SaddleNodeOnset 
     if proof is None or not proof.kind:
         return None
     # whether folds at rest lie below it has to be proved as well
-    low, high = in_balls().ask("at_rest", model, BITS[-1], proof.F_0[1])
+    low, high = ball_questions().ask("at_rest", model, BITS[-1], proof.F_0[1])
     on_end = [b for b in model.breakpoints if proof.kind == "corner" and proof.A[0] <= b <= proof.A[1]]
     ends = np.array((proof.F_0, proof.Omega, proof.A))
     F_SN, Omega, A = _middle(ends, np.array((np.nan, np.nan, on_end[0])) if on_end else None).tolist()
@@ -376,4 +376,4 @@ def _cusps(_model: Model, bits: int, found: Any, _A_max: float) -> ProvedCusps:
 folds, states = Proof("certify_folds", _folds), Proof("certify_states", _states)
 onset, detachment = Proof("certify_onset", _onset), Proof("certify_detachment", _detachment)
 #: every cusp up to an amplitude, in balls alone
-cusps = Proof("cusps", _cusps)
+cusps = Proof("certify_cusps", _cusps)

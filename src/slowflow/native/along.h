@@ -49,11 +49,11 @@ typedef struct {
     sf_interval m, zeta, F_0, least;
 } sf_terms;
 
-/* A question with what it needs. F_0: of SF_FOLD_AT, SF_PEAK, SF_REST, SF_STATE; Omega: of SF_STATE. most: of SF_CUSP
- * and SF_ISOLA, where only the lowest minimum of the level is wanted, a forcing above which others may be left out: each
- * minimum found lowers it; NULL for all. first: where the piece begins that is searched. highest: of SF_PEAK and
- * SF_REST, whether only the highest zero that is a top (zeros.h) is wanted; pushes: whether the spring pushes off at
- * rest */
+/* A question with what it needs. F_0: of SF_FOLD_AT, SF_PEAK, SF_REST, SF_STATE; Omega: of SF_STATE. most: of
+ * SF_CUSP and SF_ISOLA, where only the lowest minimum of the level is wanted, a forcing above which others may be
+ * left out: each minimum found lowers it; NULL for all. first: where the piece begins that is searched. highest: of
+ * SF_PEAK and SF_REST, whether only the highest zero that is a top (zeros.h) is wanted; pushes: whether the spring
+ * pushes off at rest */
 typedef struct {
     sf_question question;
     const sf_model *model;

@@ -78,7 +78,7 @@ static sf_interval sf_fold_Omega_on(const sf_terms *terms, const sf_cell *cell) 
         sf_proof roots;
         sf_interval root;
         int n = 0;
-        sf_prove_roots(&q, Omega.lo, Omega.hi, &roots);
+        sf_prove_roots_between(&q, Omega.lo, Omega.hi, &roots);
         for (int i = 0; i < roots.n + roots.n_undecided && !roots.full; i++) {
             sf_take_root(&roots, i, &root);
             if (sf_sign_of(slow_flow_intervals_R(root, cell->A, cell->h)) != -side)
@@ -106,7 +106,7 @@ static void sf_certify_corners(const sf_inputs *inputs, const sf_terms *terms, s
             return;
         sf_breakpoint_on(inputs, k, &on);
         const sf_at_amplitude q = sf_at_cell(SF_ROOTS_OF_F, terms, &on);
-        sf_prove_roots(&q, 0, 2 * sf_highest_root(&q), &roots);
+        sf_prove_roots(&q, &roots);
         out->full |= roots.full;
         for (int i = 0; i < roots.n + roots.n_undecided; i++) {
             sf_interval w;
@@ -268,7 +268,7 @@ static void sf_enter_corners(const sf_inputs *inputs, const sf_terms *terms, int
     }
     sf_at_amplitude q = sf_at_cell(SF_ROOTS_OF_F_A, terms, &on);
     for (int side = 0; side < 1 + jumps; side++, q.of = SF_ROOTS_OF_F_OMEGA) {
-        sf_prove_roots(&q, 0, 2 * sf_highest_root(&q), &roots);
+        sf_prove_roots(&q, &roots);
         list->full |= roots.full;
         for (int i = 0; i < roots.n + roots.n_undecided; i++) {
             const sf_interval m = terms->m, zeta = terms->zeta;
@@ -321,7 +321,7 @@ static sf_status sf_certify_detachment(const sf_inputs *inputs, sf_interval *F_c
         return SF_NONE;
     sf_breakpoint_on(inputs, 0, &on);
     const sf_at_amplitude q = sf_at_cell(SF_ROOTS_OF_F_OMEGA, &terms, &on);
-    sf_prove_roots(&q, 0, 2 * sf_highest_root(&q), &roots);
+    sf_prove_roots(&q, &roots);
     if (roots.full)
         return SF_UNRESOLVED;
     list.n = 0;

@@ -8,9 +8,9 @@
 
 #include "many_lanes.h"
 
-/* A block of designs, row by row. A, h: on the breakpoint in doubles, NaN for what is no member; end: the breakpoint and h
- * on it in pairs, their high and low parts laid out as numbers are; change: of F_cr, NaN where the design is left to
- * sf_settled_detachment */
+/* A block of designs, row by row. A, h: on the breakpoint in doubles, NaN for what is no member; end: the breakpoint
+ * and h on it in pairs, their high and low parts laid out as numbers are; change: of F_cr, NaN where the design is
+ * left to sf_settled_detachment */
 typedef struct {
     double mu[SF_LANE_BLOCK], m[SF_LANE_BLOCK], zeta[SF_LANE_BLOCK], A[SF_LANE_BLOCK], h[SF_LANE_BLOCK];
     double end[4 * SF_LANE_BLOCK], Omega[SF_LANE_BLOCK], F_0[SF_LANE_BLOCK], change[SF_LANE_BLOCK], u_cr[SF_LANE_BLOCK];

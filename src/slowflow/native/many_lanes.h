@@ -37,8 +37,8 @@ static inline int sf_take_jumps(const sf_exact_block *block, ptrdiff_t d, sf_mod
     return model->breaks == mechanism->breakpoints;
 }
 
-/* Member d of the block, which is design k, with its damping and, where they were lost, digits of its parameters; 0 if a
- * number lies outside its domain. */
+/* Member d of the block, which is design k, with its damping and, where they were lost, digits of its parameters; 0
+ * if a number lies outside its domain. */
 static int sf_take_member(const sf_call *at, const sf_exact_block *block, ptrdiff_t d, sf_model *model) {
     const sf_mechanism *mechanism = at->mechanism;
     sf_numbers inputs;
@@ -340,8 +340,8 @@ SF_ALWAYS void sf_loop_in_lanes(sf_call *at, const sf_lane_question *by) {
     free(q.room);
 }
 
-/* Whether design k, as member d, may have its answer at a forcing from lanes: its damping is viscous too, and it neither
- * sticks nor all but sticks. */
+/* Whether design k, as member d, may have its answer at a forcing from lanes: its damping is viscous too, and it
+ * neither sticks nor all but sticks. */
 static int sf_enter_at_forcing(const sf_call *at, const sf_exact_block *exact, sf_lane_design *of, int d) {
     of->F_0 = sf_number(at, 0), of->Omega = 0, of->n = 0;
     if (!at->mechanism->is_forcing(of->F_0) || !sf_prepare_member(at, exact, d, &of->model) ||

@@ -8,7 +8,8 @@
 
 #include "many_lanes.h"
 
-/* how often a piece that begins at A = 0 is halved in the search for a peak: next to 0 nothing is known over all of one */
+/* how often a piece that begins at A = 0 is halved in the search for a peak: next to 0 nothing is known over all of
+ * one */
 enum { SF_PEAK_HALVES = 12 };
 
 /* With the cell from the last breakpoint on. */

@@ -37,8 +37,8 @@ struct sf_mechanism {
     int design_size, damping_size, parameters, breakpoints;
     double reach; /* largest amplitude that it can take, or infinite */
 
-    /* From what a user gives to what the solvers take; 0 where a number lies outside its domain. Parameters are computed in
-     * doubles, see sf_take_design. */
+    /* From what a user gives to what the solvers take; 0 where a number lies outside its domain. Parameters are
+     * computed in doubles, see sf_take_design. */
     int (*parameters_of)(const sf_mechanism *self, const double *design, double *p);
     int (*damping_of)(const double *inputs, double *damping);
     int (*is_forcing)(double F_0);

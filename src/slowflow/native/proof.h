@@ -162,7 +162,8 @@ static int sf_crossing(const sf_proving *proving, sf_checked *a, sf_checked *b, 
     return sfi_positive(low) == sfi_positive(high) ? 0 : sfi_negative(low) ? 1 : -1;
 }
 
-/* The one zero between two amplitudes, made narrow: by Newton's method on intervals, until that gains no more. */
+/* The one zero between two amplitudes, made narrow: by Newton's method on intervals, until that gains no more. The
+ * first step, from where cells are cut, which may be next to an end, need not gain. */
 static void sf_narrow(const sf_proving *proving, sf_checked *a, sf_checked *b, int c, sf_range range,
                       sf_interval *beyond, sf_cell *cell)
 {
@@ -332,8 +333,8 @@ static void sf_prove(sf_proving *proving, double A_max) {
     }
 }
 
-/* All roots in Omega at one amplitude, twice as far as they may lie: none lies on the end of the search. */
-static void sf_prove_roots(const sf_at_amplitude *q, double low, double high, sf_proof *out) {
+/* The roots in Omega at one amplitude between two frequencies. */
+static void sf_prove_roots_between(const sf_at_amplitude *q, double low, double high, sf_proof *out) {
     const sf_proving proving = {.at = q, .out = out};
     sf_checked first = sf_check_at(&proving, low), last = sf_check_at(&proving, high);
     sf_clear_proof(out);
@@ -341,6 +342,11 @@ static void sf_prove_roots(const sf_at_amplitude *q, double low, double high, sf
         sf_prove_on(&proving, &first, &last, 1);
     else
         out->full = 1;
+}
+
+/* All of them, looked for twice as far as they may lie: none lies on the end of the search. */
+static void sf_prove_roots(const sf_at_amplitude *q, sf_proof *out) {
+    sf_prove_roots_between(q, 0, 2 * sf_highest_root(q), out);
 }
 
 /* Root number i, of which those that are undecided come last; whether it is one of them. */

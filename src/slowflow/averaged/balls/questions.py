@@ -365,7 +365,7 @@ def _pairs(enclosures: Iterable[Enclosure]) -> Floats:
 def ask(question: str, model: Model, bits: int, *numbers: float) -> Any:
     """What balls of so many bits answer, as the compiled solvers' question of that name; None where they have no form.
 
-    A question that those have not: `cusps` up to an amplitude, whether all is proved, with F_0, Omega, A and which are
+    Two that those have not: `certify_cusps` up to an amplitude, whether all is proved, with F_0, Omega, A and which are
     minima; `at_rest`.
     """
     averages = averages_of(model.mechanism)
@@ -481,6 +481,6 @@ _QUESTIONS: dict[str, Callable[..., Any]] = {
     "certify_states": _states,
     "certify_onset": _onset,
     "certify_detachment": _detachment,
-    "cusps": _cusps,
+    "certify_cusps": _cusps,
     "at_rest": _at_rest,
 }

@@ -10,9 +10,9 @@
  * linearization.py). So one pass over the force bounds both equations and their slopes on a box of m and ln(sigma): it holds
  * no motion, or one by the interval Newton method, or it is cut.
  *
- * Boxes cover all motions with displacements up to SF_ABOVE times the sizes that there are: how the force pushes back bounds m
- * and sigma, its slopes and jumps bound k, and that bounds sigma from below: under white noise by sigma^2 k, under a table by
- * the least I_0 of a grid of stiffnesses. */
+ * Boxes cover all motions with displacements up to SF_ABOVE times the sizes that there are: how the force pushes
+ * back bounds m and sigma, its slopes and jumps bound k, and that bounds sigma from below: under white noise by
+ * sigma^2 k, under a table by the least I_0 of a grid of stiffnesses. */
 #pragma once
 
 #include "linearized.h"
@@ -293,8 +293,8 @@ static void sf_put_legendre(sf_far_cells *to)
     }
 }
 
-/* A cell by its Legendre series, as |P_n| is at most 1 and its slope n (n + 1)/2. Polynomials have no other orders, up to a
- * degree of 7; of other forces these are taken to add as much as SF_IN_PART times the last two at most. */
+/* A cell by its Legendre series, as |P_n| is at most 1 and its slope n (n + 1)/2. Polynomials have no other orders,
+ * up to a degree of 7; of other forces these are taken to add as much as SF_IN_PART times the last two at most. */
 static void sf_put_cell(const sf_piece *piece, double load, double low, double high, sf_far_cells *to)
 {
     const double m = 0.5 * (low + high), h = 0.5 * (high - low), side = low < 0.0 ? -1.0 : 1.0;
