@@ -387,6 +387,7 @@ def _random(rows: list[dict[str, Any]]) -> dict[str, Any]:
         "random_about_isolator": largest_about("isolator", 1, 2, shares=few),
         "random_about_mean": largest_about("isolator", 0, shares=few),
         "random_about_dry": largest_about("isolator", 1, shares=(0.8,)),
+        "random_about_dry_narrow": largest_about("isolator", 1, shares=(0.8,), narrow=True),
         "random_about_stop": largest_about("one stop", 1, shares=more),
         "random_about_stop_v": largest_about("one stop", 2, shares=more),
         "random_about_stop_v_narrow": largest_about("one stop", 2, shares=more, narrow=True),
