@@ -58,6 +58,7 @@ def dimensionless(iso: Isolator, duffing: Duffing) -> None:
     reveal_type(duffing.detachment().F_cr)
     reveal_type(duffing.saddle_node_onset().F_SN)
     reveal_type([fold.Omega for fold in iso.saddle_nodes(0.04)])
+    Omega, A, kind, corner = iso.saddle_nodes(0.04)[0]
     reveal_type(iso.saddle_nodes(0.04).plot())
 
 def physical(mount: Physical) -> None:
@@ -78,6 +79,7 @@ def wrong(iso: Isolator, mount: Physical) -> None:
     iso.amplitudes(Omega="x", F_0=0.04)  # wrong
     iso.saddle_nodes(0.04).onmega  # wrong
     iso.saddle_nodes(0.04)[0].onmega  # wrong
+    f, *_ = mount.saddle_nodes(5)[0]  # wrong
     mount.saddle_nodes(F=None)  # wrong
     mount.amplitudes(f=None, F=5)  # wrong
     mount.frequency_response(5, f="ab")  # wrong

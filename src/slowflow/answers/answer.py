@@ -252,7 +252,7 @@ def entry_of(table: type, attribute: str, name: str, columns: Iterable[str]) -> 
 COLUMN = re.compile(r"Floats|Flags|Ints|(npt\.)?NDArray\[.*\]")
 
 
-class Entry(tuple[Any, ...]):
+class Entry:
     """An entry of a table, for type checkers: which of these numbers it has its table says, in SI units or without."""
 
     Omega: float
@@ -328,6 +328,10 @@ class Entry(tuple[Any, ...]):
     motions: int
 
 
+class TupleEntry(Entry, tuple[Any, ...]):
+    """An entry of a dimensionless table, for type checkers: it can be unpacked too."""
+
+
 class Table(Answer):
     """An answer with several entries: arrays of one length.
 
@@ -358,16 +362,16 @@ class Table(Answer):
         return int(getattr(self, self._entry_of()._fields[0]).size)
 
     @overload
-    def __getitem__(self, k: int) -> Entry: ...
+    def __getitem__(self, k: int) -> TupleEntry: ...
     @overload
-    def __getitem__(self, k: slice) -> list[Entry]: ...
+    def __getitem__(self, k: slice) -> list[TupleEntry]: ...
     def __getitem__(self, k: int | slice) -> Any:
         if isinstance(k, slice):
             return list(self)[k]
         entry = self._entry_of()
         return entry(*(getattr(self, name)[operator.index(k)].item() for name in entry._fields))
 
-    def __iter__(self) -> Iterator[Entry]:
+    def __iter__(self) -> Iterator[TupleEntry]:
         entry = self._entry_of()
         columns = (getattr(self, name).tolist() for name in entry._fields)
         return (entry(*values) for values in zip(*columns, strict=True))
