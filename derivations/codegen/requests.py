@@ -86,6 +86,7 @@ REQUESTS = {
         "in_c": "at_rest",
         "enclosed": "bent_terms bent_end_0 bent_end_1 bent_end_2 bent_end_3",
     },
+    "frequencies": {"solvers": "*"},
     # the recurrences of `taylor` are the rates in C; only the paper's own way is smoothed
     "motion": {
         "generic": "*",
@@ -110,7 +111,7 @@ def requested(module: str, kernels: Iterable[Kernel]) -> dict[str, tuple[Kernel,
         for name in by_name:
             chosen = name in names or (names == ["*"] and name not in only)
             flags[name] |= {"looped": not chosen} if flag == "unlooped" else {flag: chosen}
-    for name in solvers:
+    for name in by_name if solvers == ["*"] else solvers:
         flags[name] |= {"in_c": True, "in_python": False}
     stated = {name: replace(kernel, **flags[name]) for name, kernel in by_name.items()}
     return {

@@ -15,6 +15,7 @@ from ...symbols import F_0, A, Omega, h, h_A, zeta
 from ...systems.frequencies import Frequencies, Quartic, k, p, q
 from ..compensated import magnitude
 from ..form import Module, TwofoldKernel
+from ..requests import requested
 
 #: a value below this part of its terms has no certain sign in double, and in double-double
 ROUGH, FINE = sp.Rational(1, 2**50), sp.Rational(1, 2**98)
@@ -40,7 +41,7 @@ def frequencies_module(results: Results) -> Module:
         name="frequencies",
         title="The quartics whose roots are the frequencies at an amplitude: F of the response, F_A/2 of the folds",
         inputs=("paper/averaging.py", "paper/slow_flow.py", "systems/frequencies.py"),
-        kernels=tuple(of.kernels.values()),
+        **requested("frequencies", of.kernels.values()),
         twofolds=tuple(twofolds),
         constants={"ROUGH": ROUGH, "FINE": FINE},
     )
@@ -53,12 +54,12 @@ def of_quartic(
     size, fine_size = (magnitude(lets, quartic.value, epsilon) for epsilon in (ROUGH, FINE))
     what = {"response": "F", "fold": "F_A/2"}[name]
     bounded = "and what its rounding error is below ROUGH times of"
-    of.add(name, Lets(lets, (quartic.value, size)), f"{what}, {bounded}.", equation, in_python=False)
+    of.add(name, Lets(lets, (quartic.value, size)), f"{what}, {bounded}.", equation)
     if quartic.at_0.is_Mul:
         at_0, text = quartic.at_0, f"{what} at Omega = 0."
     else:
         at_0, text = (quartic.at_0, magnitude((), quartic.at_0, ROUGH)), f"{what} at Omega = 0, {bounded}."
-    of.add(f"{name}_at_0", at_0, text, equation, "any", in_python=False)
+    of.add(f"{name}_at_0", at_0, text, equation, "any")
     squared = sp.expand(quartic.value) if name == "response" else quartic.value
 
     def fine(suffix: str, more: tuple[sp.Symbol, ...], lows: dict[sp.Symbol, sp.Symbol], where: str) -> TwofoldKernel:
@@ -109,13 +110,13 @@ def of_quartic(
 def state_shared(of: Formulas, found: Frequencies) -> None:
     """The cubic A w^3 + p w + q and the rise of a quartic to where it vanishes."""
     equation = "from (24), (30)"
-    of.add("cubic", found.cubic, "A Omega^3 + p Omega + q.", equation, in_python=False)
-    of.add("cubic_slope", found.slope, "Its derivative by Omega.", equation, in_python=False)
+    of.add("cubic", found.cubic, "A Omega^3 + p Omega + q.", equation)
+    of.add("cubic_slope", found.slope, "Its derivative by Omega.", equation)
     rise, text = (
         (found.rise, magnitude((), found.rise, ROUGH)),
         "Of a quartic from 0 to a critical point, and its magnitude.",
     )
-    of.add("rise", rise, text, equation, in_python=False)
+    of.add("rise", rise, text, equation)
 
 
 def shared_twofolds(of: Frequencies) -> list[TwofoldKernel]:
