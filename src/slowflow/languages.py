@@ -21,8 +21,8 @@ from slowflow.version import include
 __all__ = ["fortran", "headers", "julia", "matlab"]
 
 WRITTEN = "Written by slowflow.languages; never edit."
-#: arguments of C functions that are arrays: the mechanism's parameters, and the outputs
-ARRAYS = ("p", "out")
+#: arguments of C functions that are arrays, the mechanism's parameters and the outputs, as Fortran declares them
+ARRAYS = {"p": "intent(in)", "out": "intent(out)"}
 #: words of MATLAB that are names in Python
 KEYWORDS = frozenset("case catch classdef elseif end function otherwise parfor persistent spmd switch".split())
 #: of `slowflow.support.broadcast`, for the common size of MATLAB's arrays
@@ -76,7 +76,7 @@ end
 
 @dataclass(frozen=True)
 class Prototype:
-    """A C function: whether it returns a number, and its arguments, of which `p` and `out` are arrays."""
+    """A C function: whether it returns a number, and its arguments, of which those in `ARRAYS` are arrays."""
 
     name: str
     scalar: bool
@@ -133,8 +133,8 @@ def fortran(paths: Iterable[Path]) -> str:
         lines += _continued(head, 4)
         lines.append("      use, intrinsic :: iso_c_binding, only: c_double")
         for name, shown in arguments.items():
-            array = {"p": "intent(in)", "out": "intent(out)"}.get(name)
-            lines.append(f"      real(c_double), {array or 'value'} :: {shown}{'(*)' if array else ''}")
+            size = "(*)" if name in ARRAYS else ""
+            lines.append(f"      real(c_double), {ARRAYS.get(name, 'value')} :: {shown}{size}")
         lines.append(f"    end {kind.split()[-1]}")
     return "\n".join([*lines, "  end interface", "end module", ""])
 
@@ -189,10 +189,9 @@ def matlab(module: ModuleType) -> str:
             rows = ast.unparse(one.value).replace("), (", "; ").strip("()")
             methods.append(f"function rows = {table[1:]}()\n    rows = [{rows}];\nend\n")
     methods.append(SHARED.replace("NAME", writer.name))
-    left_out = [one.name for one in kernels if one.name in module.__all__ and one.name not in writer.written]
     about = [(ast.get_docstring(tree) or "").partition("\n\n")[0], WRITTEN]
-    left_out += getattr(module, "OF_SOLVERS", ())
-    if left_out:
+    left_out = [one.name for one in kernels if one.name in module.__all__ and one.name not in writer.written]
+    if left_out := [*left_out, *getattr(module, "OF_SOLVERS", ())]:
         about.append(f"Without kernels on intervals, by quadrature or of solvers alone: {', '.join(left_out)}.")
     lines = [f"    % {line}" for text in about for line in textwrap.wrap(text, 110)]
     body = textwrap.indent("\n".join(methods), " " * 8)
