@@ -42,8 +42,6 @@ AVERAGES = {**averaged_force.TOGETHER, **{name: (name,) for name in (l + order f
 RESULTANTS = {"saddle_nodes": resultants.saddle_nodes, "saddle_node_onset": resultants.saddle_node_onset}
 #: definitions that are quadratures or searches for a root, which need numbers of moderate size
 BY_QUADRATURE = {"equivalent_damping", "transmissibility", "mean_stiffness", "offset_stiffness", "rise", "harmonics"}
-#: in place of a search for roots
-SLOPE = {"Omega_A": ("Omega A m zeta h h_A", lambda *x: [_slope_of_frequency(*x)])}
 #: modules whose definitions name their arguments
 BY_NAMES: dict[str, Any] = {
     "inertia": inertia.INERTIA,
@@ -95,7 +93,7 @@ def define(module: str, kernel: str, names: Sequence[str], at: Sequence[float]) 
     else:
         of_locus = along.UNDAMPED if "zeta" in SCENES[scene] else along.DAMPED
         table = {
-            "slow_flow": slow_flow.SLOW_FLOW | along.SLOPES | along.LOCI | of_locus | SLOPE | along.BESIDE_FOLDS,
+            "slow_flow": slow_flow.SLOW_FLOW | along.SLOPES | along.LOCI | of_locus | along.BESIDE_FOLDS,
             "frequencies": frequencies.FREQUENCIES,
             "motion": motion.MOTION,
             "den_hartog": den_hartog.DEN_HARTOG,
@@ -103,11 +101,6 @@ def define(module: str, kernel: str, names: Sequence[str], at: Sequence[float]) 
         }.get(base)
         f, rational = (slow_flow.second_kernel(kernel) if table is None else table[kernel][1]), False
     return zeroed(f, list(names), scene), rational
-
-
-def _slope_of_frequency(*x: Any) -> Any:
-    """dOmega/dA at one forcing."""
-    return -slow_flow.slope_of_response(1, *x) / slow_flow.SLOW_FLOW["F_Omega"][1](*x[:5])[0]
 
 
 def is_of_gradients(kernel: str) -> bool:

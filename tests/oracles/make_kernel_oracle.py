@@ -29,7 +29,7 @@ from mpmath import mp, mpf
 from derivations.codegen.catalogue.flow import OWN
 from derivations.mechanisms import all_mechanisms
 from tests.oracles.definitions import damping, inertia, linearization, motion, off_centre, sensitivities
-from tests.oracles.definitions.along import BESIDE_FOLDS, DAMPED, LOCI, SLOPES, UNDAMPED
+from tests.oracles.definitions.along import BESIDE_FOLDS, DAMPED, LOCI, SIGNS, SLOPES, UNDAMPED
 from tests.oracles.definitions.averaged_force import COMPOSED as KNOWN
 from tests.oracles.definitions.averaged_force import (
     TOGETHER,
@@ -87,14 +87,14 @@ def slow_flow_table(rng: random.Random, scene: str) -> dict:
     table["detachment"] = [
         entry(zeroed(detachment, names.split(), scene), x, exact=True) for x in points(rng, names, 6)
     ]
-    for name, (names, f, sign) in (LOCI | (UNDAMPED if "zeta" in SCENES[scene] else DAMPED)).items():
+    for name, (names, f) in (LOCI | (UNDAMPED if "zeta" in SCENES[scene] else DAMPED)).items():
         if own and name not in own:
             continue
         chosen = points(rng, names, 6)
-        if sign:
+        if name in SIGNS:
             h_A = names.split().index("h_A")
             for x in chosen:
-                x[h_A] = sign * abs(x[h_A])
+                x[h_A] = SIGNS[name] * abs(x[h_A])
         if "intercept" in names:
             with_it = [k for k, argument in enumerate(names.split()) if argument in ("intercept", "R")]
             for x in chosen[::2]:

@@ -325,7 +325,7 @@ def composed(kernel: str, names: Sequence[str], averages: Callable) -> Function:
 #: functions of the slow flow that mechanisms have
 COMPOSED: dict[str, tuple[str, Function]] = {
     **SLOW_FLOW,
-    "level": LOCI["level"][:2],
+    "level": LOCI["level"],
     "detachment": ("A m zeta h", detachment_of_reals),
 }
 #: several averages at once, by mechanism where not all have the kernel; and where they hold

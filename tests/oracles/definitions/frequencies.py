@@ -7,44 +7,55 @@ from collections.abc import Sequence
 
 from mpmath import mp, mpf
 
+from tests.oracles.definitions.laws import Laws, balances
 from tests.oracles.definitions.points import Function, shown, table_of
-from tests.oracles.definitions.slow_flow import balances, fold_quartic, response, response_quartic, slope_of_response
+from tests.oracles.definitions.slow_flow import SLOW_FLOW
 
 ROUGH, FINE = mpf(2) ** -50, mpf(2) ** -98
 
 
-def halved_slope(Omega, A, m, zeta, h, h_A):
-    return slope_of_response(1, Omega, A, m, zeta, h, h_A) / 2
+NAMES = {"response": "Omega A F_0 m zeta h", "fold": "Omega A m zeta h h_A"}
 
 
-def terms(kind, epsilon, Omega, A, *x):
+def value(kind, *x):
+    """F, or F_A/2."""
+    laws = Laws(dict(zip(NAMES[kind].split(), x, strict=True)), 1)
+    return laws("F") if kind == "response" else laws("F_A") / 2
+
+
+def terms(kind, epsilon, *x):
     """What a quartic's rounding error is measured by, from the sizes of R's terms and the other factor's."""
-    *_, m, zeta, h = x[:-1] if kind == "fold" else x
-    R, I = balances(Omega, A, m, zeta, h)
+    at = dict(zip(NAMES[kind].split(), x, strict=True))
+    Omega, A, h, zeta = (at[name] for name in ("Omega", "A", "h", "zeta"))
+    R, I = balances(Omega, A, at["m"], zeta, h)
     of_R = A * Omega**2 + abs(h)
     if kind == "response":
-        return (abs(R) + epsilon * of_R) * of_R + (I + x[0]) ** 2
-    h_A = x[-1]
-    return (abs(R) + epsilon * of_R) * (Omega**2 + abs(h_A)) + abs(Omega**2 + h_A) * of_R + 2 * zeta * Omega * I
+        return (abs(R) + epsilon * of_R) * of_R + (I + at["F_0"]) ** 2
+    T = abs(at["h_A"])
+    return (abs(R) + epsilon * of_R) * (Omega**2 + T) + abs(Omega**2 + at["h_A"]) * of_R + 2 * zeta * Omega * I
+
+
+def at_0(F_0, m, h):
+    return value("response", 0, 1, F_0, m, 0, h)
 
 
 def quartic(kind, epsilon):
     """The value, and that."""
-    value = {"response": response, "fold": halved_slope}[kind]
-    return lambda *x: [value(*x), terms(kind, epsilon, *x)]
+    return NAMES[kind], lambda *x: [value(kind, *x), terms(kind, epsilon, *x)]
 
 
 def with_tail(kind):
     """At Omega + tail; the terms are those at Omega."""
-    f = quartic(kind, FINE)
-    return lambda Omega, tail, *x: [f(Omega + tail, *x)[0], f(Omega, *x)[1]]
+    names = NAMES[kind].replace("Omega", "Omega tail")
+    return names, lambda Omega, tail, *x: [value(kind, Omega + tail, *x), terms(kind, FINE, Omega, *x)]
 
 
 def derivative(kind):
-    """p, q and k of k (A w^3 + p w + q), by interpolation of the quartic."""
+    """p, q and k of k (A w^3 + p w + q), from the quartic."""
 
     def of(A, *x):
-        _, c_1, c_2, c_4 = response_quartic(A, 0, *x) if kind == "response" else fold_quartic(A, *x)
+        f = SLOW_FLOW[f"{kind}_quartic"][1]
+        _, c_1, c_2, c_4 = f(A, 0, *x) if kind == "response" else f(A, *x)
         return [A * c_2 / (2 * c_4), A * c_1 / (4 * c_4), 4 * c_4 / A]
 
     return of
@@ -76,19 +87,19 @@ def cubic_discriminant(A, p, p_low, q, q_low):
 
 
 FREQUENCIES: dict[str, tuple[str, Function]] = {
-    "response": ("Omega A F_0 m zeta h", quartic("response", ROUGH)),
-    "response_at_0": ("F_0 m h", lambda *x: [response(0, 1, x[0], x[1], 0, x[2]), x[2] ** 2 + (x[1] + x[0]) ** 2]),
-    "fold": ("Omega A m zeta h h_A", quartic("fold", ROUGH)),
-    "fold_at_0": ("h h_A", lambda h, h_A: [halved_slope(0, mpf(1), 0, 0, h, h_A)]),
+    "response": quartic("response", ROUGH),
+    "response_at_0": ("F_0 m h", lambda *x: [at_0(*x), x[2] ** 2 + (x[1] + x[0]) ** 2]),
+    "fold": quartic("fold", ROUGH),
+    "fold_at_0": ("h h_A", lambda h, h_A: [value("fold", 0, 1, 0, 0, h, h_A)]),
     "cubic": ("Omega A p q", lambda w, A, p, q: [A * w**3 + p * w + q]),
     "cubic_slope": ("Omega A p", lambda w, A, p: [mp.diff(lambda v: A * v**3 + p * v, w)]),
     "rise": ("Omega A p k", rise),
-    "response_fine": ("Omega A F_0 m zeta h", quartic("response", FINE)),
-    "response_beside": ("Omega tail A F_0 m zeta h", with_tail("response")),
+    "response_fine": quartic("response", FINE),
+    "response_beside": with_tail("response"),
     "response_derivative": ("A m zeta h", derivative("response")),
-    "response_exactly_at_0": ("F_0 m h", lambda *x: [response(0, 1, x[0], x[1], 0, x[2])]),
-    "fold_fine": ("Omega A m zeta h h_A", quartic("fold", FINE)),
-    "fold_beside": ("Omega tail A m zeta h h_A", with_tail("fold")),
+    "response_exactly_at_0": ("F_0 m h", lambda *x: [at_0(*x)]),
+    "fold_fine": quartic("fold", FINE),
+    "fold_beside": with_tail("fold"),
     "fold_derivative": ("A m zeta h h_A", derivative("fold")),
     "cubic_fine": ("Omega A p p_low q q_low", lambda w, A, p, pp, q, qq: [A * w**3 + (p + pp) * w + (q + qq)]),
     "discriminant": ("A p p_low q q_low", cubic_discriminant),

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from mpmath import mp, mpf
 
-from tests.oracles.definitions.along import partials
+from tests.oracles.definitions.laws import Laws, balances, by_arguments, by_laws, linear_root, near, stays
 from tests.oracles.definitions.points import Function, beside_backbone
-from tests.oracles.definitions.slow_flow import balances, near, response, slope_of_response
 
 
 def shaken(Omega, F_0):
@@ -19,14 +18,9 @@ def inertial(Omega, F_0):
     return -mp.diff(lambda tau: F_0 * mp.cos(Omega * tau), 0, 2)
 
 
-def shaken_response(Omega, A, F_0, m, zeta, h):
-    return response(Omega, A, shaken(Omega, F_0), m, zeta, h)
-
-
-def shaken_level(Omega, A, m, zeta, h):
-    """The excitation at which the response vanishes, found as a root."""
-    R, I = balances(Omega, A, m, zeta, h)
-    return mp.findroot(lambda F_0: shaken_response(Omega, A, F_0, m, zeta, h), (abs(R) + I) / Omega**2)
+def squared_level(Omega, A, m, zeta, h):
+    """The square of the excitation at which the response vanishes."""
+    return sum(one**2 for one in balances(Omega, A, m, zeta, h)) / Omega**4
 
 
 def shaken_isolation(A, F_0, reduction, h):
@@ -44,26 +38,6 @@ def shaken_isolation(A, F_0, reduction, h):
     return mp.findroot(excess, (low, high), solver="anderson")
 
 
-def squared_level(Omega, A, m, zeta, h):
-    """F is linear in F_0^2, from its values at 0 and 1."""
-    at_0, at_1 = (shaken_response(Omega, A, F_0, m, zeta, h) for F_0 in (0, 1))
-    return at_0 / (at_0 - at_1)
-
-
-def shaken_level_slope(Omega, *x, order=1):
-    """Omega^5 times the slope of the squared level, or the derivative of that."""
-    return mp.diff(lambda w: w**5 * mp.diff(lambda v: squared_level(v, *x), w), Omega, order - 1)
-
-
-def shaken_slope_of_frequency(Omega, A, m, zeta, *values):
-    """dOmega/dA of the states at one excitation, found as roots."""
-    h = near(A, values)
-    level_here = squared_level(Omega, A, m, zeta, h(A))
-    return mp.diff(
-        lambda a: mp.findroot(lambda w: squared_level(w, a, m, zeta, h(a)) - level_here, Omega, tol=mpf(10) ** -110), A
-    )
-
-
 def parabola(f):
     """Coefficients of a quadratic, constant first, from its values at 1, 2 and 3."""
     matrix = mp.matrix([[node**k for k in range(3)] for node in (1, 2, 3)])
@@ -71,9 +45,9 @@ def parabola(f):
         return list(mp.lu_solve(matrix, mp.matrix([f(mpf(node)) for node in (1, 2, 3)])))
 
 
-def shaken_terms(*x):
+def shaken_terms(at):
     """Of the level's slope, which is -4 rest - linear Omega + 4 fall Omega^2."""
-    constant, first, second = parabola(lambda w: shaken_level_slope(w, *x))
+    constant, first, second = parabola(lambda w: Laws({**at, "Omega": w}).fall.value)
     return [second / 4, -first, -constant / 4]
 
 
@@ -90,45 +64,40 @@ def balanced(x, A, m, zeta, h):
     w = 1 / x
 
     def squared(v, a):
-        return (balances(v, a, 0, 0, h)[0] ** 2 + balances(v, A, m, zeta, 0)[1] ** 2) / shaken(v, 1) ** 2
+        return (balances(v, a, 0, 0, h)[0] ** 2 + balances(v, A, m, zeta, 0)[1] ** 2) / v**4
 
-    slopes = [mp.diff(lambda v, a=a: squared(v, a), w) for a in (0, 1)]
-    a = slopes[0] / (slopes[0] - slopes[1])
+    a = linear_root(lambda a: mp.diff(lambda v: squared(v, a), w))
     return w, balances(w, a, 0, 0, h)[0], balances(w, A, m, zeta, 0)[1]
+
+
+def slope_at(w, A, m, zeta, R, h_A):
+    """F_A where R is that."""
+    return Laws({"Omega": w, "A": A, "m": m, "zeta": zeta, "R": R, "h_A": h_A})("F_A")
 
 
 def shaken_peak(x, A, F_0, m, zeta, h, h_A):
     """F_A by differentiation at that R."""
     w, R, I = balanced(x, A, m, zeta, h)
-    least = mp.sqrt(R**2 + I**2) / shaken(w, 1)
-    return [least - F_0, slope_of_response(1, w, A, m, zeta, R - A * w**2, h_A) / (2 * least * shaken(w, 1) ** 2)]
+    least = mp.hypot(R, I) / w**2
+    return [least - F_0, slope_at(w, A, m, zeta, R, h_A) / (2 * least * w**4)]
 
 
-def shaken_drift(x, A, m, zeta, *values):
-    """dOmega/dA where the level's slope over Omega^2 stays: by a root next to it, at amplitudes next to it."""
-    h = near(A, values)
-
-    def falls(w, a):
-        return shaken_level_slope(w, a, m, zeta, h(a)) / w**2
-
-    stays = falls(1 / x, A)
-    return mp.diff(lambda a: mp.findroot(lambda w: falls(w, a) - stays, 1 / x, tol=mpf(10) ** -110), A)
+def drift(laws):
+    """dOmega/dA where the level's slope over Omega^2 stays."""
+    return stays(laws.fall / laws.Omega**2)
 
 
-def shaken_isola(x, A, m, zeta, *values):
+def shaken_isola(at):
     """-h F_A/(2 I Omega^3) at that R; its slope along the amplitudes where the level's slope over Omega^2 stays."""
-    h, h_A = near(A, values), near(A, values[1:])
+    x, A, m, zeta, *values = at.values()
+    h, h_A, turn = near(A, values), near(A, values[1:]), drift(Laws(at))
 
-    def value(a, y):
-        w, R, I = balanced(y, a, m, zeta, h(a))
-        return -h(a) * slope_of_response(1, w, a, m, zeta, R - a * w**2, h_A(a)) / (2 * I * w**3)
+    def value(t):
+        a = A + t
+        w, R, I = balanced(x - x**2 * turn * t, a, m, zeta, h(a))
+        return -h(a) * slope_at(w, a, m, zeta, R, h_A(a)) / (2 * I * w**3)
 
-    def falls(a, y):
-        return y**2 * shaken_level_slope(1 / y, a, m, zeta, h(a))
-
-    by_A, by_x = (1, 0), (0, 1)
-    value_A, value_x, falls_A, falls_x = (mp.diff(f, (A, x), by) for f in (value, falls) for by in (by_A, by_x))
-    return [value(A, x), value_A - value_x * falls_A / falls_x]
+    return [value(mpf(0)), mp.diff(value, 0)]
 
 
 def shaken_isola_apart(x, A, m, zeta, h, k, cubic):
@@ -138,14 +107,14 @@ def shaken_isola_apart(x, A, m, zeta, h, k, cubic):
     drag = friction + viscous / 2
     A_R_A = (friction * (R - k) + viscous / 2 * (R + 2 * h - cubic)) / drag
     h_A = A_R_A / A - w**2
-    return [-h * slope_of_response(1, w, A, m, zeta, R - A * w**2, h_A) / (2 * I * w**3)]
+    return [-h * slope_at(w, A, m, zeta, R, h_A) / (2 * I * w**3)]
 
 
 def shaken_fold_slopes(Omega, A, m, zeta, k):
     """By F_A at three slopes of R, in which it is a quadratic; I by its definition."""
 
     def half_F_A(T):
-        return slope_of_response(1, Omega, A, m, zeta, k + A * T - A * Omega**2, T - Omega**2) / 2
+        return slope_at(Omega, A, m, zeta, k + A * T, T - Omega**2) / 2
 
     constant, linear, square = parabola(half_F_A)
     if linear**2 < 4 * square * constant:
@@ -164,24 +133,25 @@ def fold_force(Omega, A, m, zeta, other):
 
 def shaken_fold_level(Omega, A, m, zeta, other):
     """R is A times the other slope, reversed."""
-    return [shaken_level(Omega, A, m, zeta, -A * other - A * Omega**2)]
+    return [mp.sqrt(squared_level(Omega, A, m, zeta, -A * other - A * Omega**2))]
 
 
-def shaken_peak_share(Omega, A, m, zeta):
+def shaken_peak_share(at):
     """By the level's slope at three values of R, in which it is a quadratic."""
-    terms = parabola(lambda R: shaken_level_slope(Omega, A, m, zeta, R - A * Omega**2))
+    unmoved = at["A"] * at["Omega"] ** 2
+    terms = parabola(lambda R: Laws({**at, "h": R - unmoved}).fall.value)
     if terms[1] ** 2 < 4 * terms[0] * terms[2]:
         raise ValueError("no peak at such a frequency")
     with mp.extradps(20):
         R = min((mp.re(R) for R in mp.polyroots(terms[::-1], 200, extraprec=200)), key=abs)
-    return [-R / balances(Omega, A, m, zeta, 0)[1]]
+    return -R / Laws(at).I.value
 
 
 def shaken_Omega_of_share(A, F_0, m, zeta, ratio):
     """As a root, between frequencies at which the level is higher and lower."""
 
     def excess(w):
-        return shaken_level(w, A, m, zeta, -ratio * balances(w, A, m, zeta, 0)[1] - A * w**2) - F_0
+        return mp.sqrt(squared_level(w, A, m, zeta, -ratio * balances(w, A, m, zeta, 0)[1] - A * w**2)) - F_0
 
     low, high = mpf(1), mpf(1)
     while excess(low) < 0:
@@ -189,19 +159,6 @@ def shaken_Omega_of_share(A, F_0, m, zeta, ratio):
     while excess(high) > 0:
         high *= 2
     return [mp.findroot(excess, (low, high), solver="anderson")]
-
-
-def shaken_sense(order, Omega, A, *x):
-    """What tells minima from maxima along the fold locus: as for a force, with the level's slope for F_Omega."""
-    by_A, F_AOmega = partials([(order, 0), (1, 1)], Omega, A, *x)
-    return -shaken_level_slope(Omega, A, *x[:3]) * by_A * F_AOmega
-
-
-def shaken_hessian(Omega, A, *x):
-    """Where F_Omega = 0 the level's slope is Omega F_Omega."""
-    F_AA, F_AOmega = partials([(2, 0), (1, 1)], Omega, A, *x)
-    F_OmegaOmega = shaken_level_slope(Omega, A, *x[:3], order=2) / Omega
-    return mp.det(mp.matrix([[F_AA, F_AOmega], [F_AOmega, F_OmegaOmega]]))
 
 
 def shaken_bound(A, F_0, zeta, *values):
@@ -223,32 +180,35 @@ def shaken_share(A, zeta, h):
     """What the least level without friction is short of 4 zeta^2 A^3/|h|."""
     if h > 0:
         raise ValueError("without a resonance the level has no least value")
-    least = shaken_level(1 / shaken_least(*shaken_terms(A, 0, zeta, h)), A, 0, zeta, h)
-    return [1 - least**2 * abs(h) / (4 * zeta**2 * A**3)]
+    x = shaken_least(*shaken_terms({"A": A, "zeta": zeta, "h": h}))
+    return [1 - squared_level(1 / x, A, 0, zeta, h) * abs(h) / (4 * zeta**2 * A**3)]
 
 
 INERTIA: dict[str, tuple[str, Function]] = {
     "force": ("Omega F_0", lambda *x: [inertial(*x)]),
-    "level": ("Omega A m zeta h", lambda *x: [shaken_level(*x)]),
-    "F": ("Omega A F_0 m zeta h", lambda *x: [shaken_response(*x)]),
-    "level_slope": ("Omega A m zeta h", lambda *x: [shaken_level_slope(*x)]),
-    "Omega_A": ("Omega A m zeta h h_A", lambda *x: [shaken_slope_of_frequency(*x)]),
-    "terms": ("A m zeta h", shaken_terms),
+    "level": by_laws("Omega A m zeta h", lambda laws: mp.sqrt(laws.level.value)),
+    "F": by_laws("Omega A F_0 m zeta h", lambda laws: laws("F"), by_inertia=True),
+    "level_slope": by_laws("Omega A m zeta h", lambda laws: laws.fall.value),
+    "Omega_A": by_laws("Omega A m zeta h h_A", lambda laws: stays(laws.level)),
+    "terms": by_arguments("A m zeta h", shaken_terms),
     "least": ("fall linear rest", lambda *x: [shaken_least(*x)]),
     "peak": ("x A F_0 m zeta h h_A", shaken_peak),
-    "isola": ("x A m zeta h h_A h_AA", shaken_isola),
+    "isola": by_arguments("x A m zeta h h_A h_AA", shaken_isola),
     "isola_apart": ("x A m zeta h intercept cubic", shaken_isola_apart),
     "fold_slopes": ("Omega A m zeta intercept", shaken_fold_slopes),
     "fold_force": ("Omega A m zeta other", fold_force),
     "fold_level": ("Omega A m zeta other", shaken_fold_level),
-    "peak_share": ("Omega A m zeta", shaken_peak_share),
+    "peak_share": by_arguments("Omega A m zeta", shaken_peak_share),
     "Omega_of_share": ("A F_0 m zeta share", shaken_Omega_of_share),
-    "level_rise": ("Omega A m zeta h h_A h_AA", lambda *x: [shaken_sense(2, *x)]),
-    "cusp_bend": ("Omega A m zeta h h_A h_AA h_AAA", lambda *x: [shaken_sense(3, *x)]),
-    "hessian": ("Omega A m zeta h h_A h_AA", lambda *x: [shaken_hessian(*x)]),
+    # what tells minima from maxima of the fold locus: as for a force, with the level's slope for F_Omega
+    "level_rise": by_laws("Omega A m zeta h h_A h_AA", lambda laws: -laws.fall.value * laws("F_AA") * laws("F_AOmega")),
+    "cusp_bend": by_laws(
+        "Omega A m zeta h h_A h_AA h_AAA", lambda laws: -laws.fall.value * laws("F_AAA") * laws("F_AOmega")
+    ),
+    "hessian": by_laws("Omega A m zeta h h_A h_AA", lambda laws: laws.fall_hessian),
     "bound": ("A F_0 zeta h h_A h_AA h_AAA lost", shaken_bound),
     "force_slopes": ("Omega F_0", lambda *x: [mp.diff(inertial, x, n) for n in ((1, 0), (0, 1))]),
-    "least_Omega_A": ("x A m zeta h h_A", lambda *x: [shaken_drift(*x)]),
+    "least_Omega_A": by_laws("x A m zeta h h_A", drift),
     "share": ("A zeta h", shaken_share),
     "amplitude": ("Omega force", lambda w, force: [mp.findroot(lambda F_0: inertial(w, F_0) - force, force)]),
     "moves_from": ("F_0 holds", lambda F_0, holds: [mp.findroot(lambda w: inertial(w, F_0) - holds, mpf("0.7"))]),

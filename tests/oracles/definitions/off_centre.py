@@ -9,9 +9,9 @@ import operator
 
 from mpmath import mp, mpf
 
+from tests.oracles.definitions.laws import balances
 from tests.oracles.definitions.points import RANGES, Function
 from tests.oracles.definitions.series import stated, variables
-from tests.oracles.definitions.slow_flow import balances
 
 
 def mean_of_power(n):

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from mpmath import mp, mpf
 
-from tests.oracles.definitions.damping import KNOWN, law_balances
+from tests.oracles.definitions.damping import KNOWN
 from tests.oracles.definitions.inertia import shaken
+from tests.oracles.definitions.laws import balances, near
 from tests.oracles.definitions.points import Function
 from tests.oracles.definitions.series import variables
-from tests.oracles.definitions.slow_flow import near
 
 #: for each kind of answer the conditions beside F = 0, and F's derivatives by (A, Omega) that must not vanish
 ANSWERS: dict[str, tuple[tuple[str, str], list[tuple[int, int]]]] = {
@@ -35,7 +35,7 @@ def balanced(x):
 
     def both(a, w, p):
         h, rest, zeta = (at(a) + by_p(a) * p for at, by_p in zip(of[::2], of[1::2], strict=True))
-        return law_balances(w, a, rest, zeta, d + d_p * p, d_3 + d_3p * p, h)
+        return balances(w, a, rest, zeta, h, d + d_p * p, d_3 + d_3p * p)
 
     return both
 
@@ -88,7 +88,7 @@ def slopes(Omega, A, R, *x):
     def rows(sign, h):
         local, lag, ratio = (near(A, [sign(value) for value in values]) for values in (h, rest, zeta))
         a, w = variables((A, Omega), 3)
-        both = law_balances(w, a, lag(a), ratio(a), d, d_3, local(a))
+        both = balances(w, a, lag(a), ratio(a), local(a), d, d_3)
         F, R = sum(part**2 for part in both).derivative, both[0].derivative
         excited = -1 if sign is mpf else 1
         by_Omega, by_both = (F(0, n) + excited * sign(S) for n, S in ((1, S_Omega), (2, S_OmegaOmega)))
@@ -122,7 +122,7 @@ def of_state(Omega, A, I_0, I_0A, zeta, zeta_A, d, d_3, h, h_A, force, force_Ome
         w, a, restoring = Omega + Omega_p * p, A + A_p * p, h + (h_p + h_A * A_p) * p
         rest = I_0 + (I_0p + I_0A * A_p) * p
         ratio = zeta + (zeta_p + zeta_A * A_p) * p
-        return *law_balances(w, a, rest, ratio, d + d_p * p, d_3 + d_3p * p, restoring), restoring
+        return *balances(w, a, rest, ratio, restoring, d + d_p * p, d_3 + d_3p * p), restoring
 
     def turned(p):
         R, I, _ = perturbed(p)

@@ -122,7 +122,7 @@ def variables(place: Sequence[Any], order: int) -> list[Series]:
     found = []
     for k, value in enumerate(place):
         terms: list[Any] = [0] * len(known)
-        terms[0] = mpf(value)
+        terms[0] = mp.mpmathify(value)
         terms[known.index(tuple(int(k == j) for j in range(count)))] = mpf(1)
         found.append(Series(count, order, terms))
     return found

@@ -4,32 +4,8 @@ from __future__ import annotations
 
 from mpmath import mp, mpf
 
+from tests.oracles.definitions.laws import balances, by_laws, derivative, near, polynomial
 from tests.oracles.definitions.points import Function
-
-
-def balances(Omega, A, m, zeta, h):
-    """R and I: what balances F_0 cos phi and F_0 sin phi at a steady state, with the sign reversed."""
-    return A * Omega**2 + h, 2 * zeta * A * Omega + m
-
-
-def response(Omega, A, F_0, m, zeta, h):
-    R, I = balances(Omega, A, m, zeta, h)
-    return R**2 + I**2 - F_0**2
-
-
-def near(A, values):
-    """An h with the given value and derivatives at A."""
-    return lambda a: sum(value * (a - A) ** k / mp.factorial(k) for k, value in enumerate(values))
-
-
-def slope_of_response(order, Omega, A, m, zeta, *values):
-    h = near(A, values)
-    return mp.diff(lambda a: response(Omega, a, 0, m, zeta, h(a)), A, order)
-
-
-def mixed_slope(Omega, A, m, zeta, h, h_A):
-    local = near(A, (h, h_A))
-    return mp.diff(lambda a, w: response(w, a, 0, m, zeta, local(a)), (A, Omega), (1, 1))
 
 
 def phase(Omega, A, m, zeta, h):
@@ -104,28 +80,6 @@ def transmissibility(Omega, A, F_0, m, zeta, h):
     damping = lambda psi: -2 * zeta * A * Omega * mp.sin(psi) - mp.pi * m / 4  # noqa: E731
     sine = 2 / mp.pi * mp.quad(lambda psi: damping(psi) * mp.sin(psi), [0, mp.pi], method="gauss-legendre")
     return mp.hypot(h, sine) / F_0
-
-
-def interpolated(f, degree, missing):
-    """Coefficients of a polynomial from its values, without one that must vanish."""
-    nodes = [mpf(k) / 2 for k in range(-degree, degree + 1, 2)]
-    matrix = mp.matrix([[node**k for k in range(degree + 1)] for node in nodes])
-    with mp.extradps(20):
-        coefficients = list(mp.lu_solve(matrix, mp.matrix([f(node) for node in nodes])))
-    assert abs(coefficients.pop(missing)) < mpf(10) ** -50
-    return coefficients
-
-
-def response_quartic(A, F_0, m, zeta, h):
-    return interpolated(lambda w: response(w, A, F_0, m, zeta, h), 4, 3)
-
-
-def fold_quartic(A, m, zeta, h, h_A):
-    return interpolated(lambda w: slope_of_response(1, w, A, m, zeta, h, h_A) / 2, 4, 3)
-
-
-def peak_cubic(A, m, zeta, h):
-    return interpolated(lambda w: mp.diff(lambda v: response(v, A, 0, m, zeta, h), w) / (4 * A), 3, 2)
 
 
 def components(Omega, A, m, h, h_3, h_5):
@@ -210,13 +164,13 @@ def second_kernel(kernel):
 
 SLOW_FLOW: dict[str, tuple[str, Function]] = {
     "friction": ("mu", lambda mu: [4 * mu / mp.pi]),
-    "R": ("Omega A h", lambda Omega, A, h: [balances(Omega, A, 0, 0, h)[0]]),
-    "I": ("Omega A m zeta", lambda Omega, A, m, zeta: [balances(Omega, A, m, zeta, 0)[1]]),
-    "F": ("Omega A F_0 m zeta h", lambda *x: [response(*x)]),
-    "F_A": ("Omega A m zeta h h_A", lambda *x: [slope_of_response(1, *x)]),
-    "F_AA": ("Omega A m zeta h h_A h_AA", lambda *x: [slope_of_response(2, *x)]),
-    "F_Omega": ("Omega A m zeta h", lambda w, A, m, zeta, h: [mp.diff(lambda v: response(v, A, 0, m, zeta, h), w)]),
-    "F_AOmega": ("Omega A m zeta h h_A", lambda *x: [mixed_slope(*x)]),
+    "R": by_laws("Omega A h", lambda laws: laws.R.value),
+    "I": by_laws("Omega A m zeta", lambda laws: laws.I.value),
+    "F": derivative("F", "Omega A F_0 m zeta h"),
+    "F_A": derivative("F_A", "Omega A m zeta h h_A"),
+    "F_AA": derivative("F_AA", "Omega A m zeta h h_A h_AA"),
+    "F_Omega": derivative("F_Omega", "Omega A m zeta h"),
+    "F_AOmega": derivative("F_AOmega", "Omega A m zeta h h_A"),
     "phase": ("Omega A m zeta h", lambda *x: [phase(*x)]),
     "backbone": ("A h", lambda A, h: [mp.findroot(lambda w: balances(w, A, 0, 0, h)[0], mp.sqrt(-h / A))]),
     "limit_envelope": (
@@ -229,7 +183,7 @@ SLOW_FLOW: dict[str, tuple[str, Function]] = {
     "mean_stiffness": ("A h h_A", lambda A, h, h_A: [mean_stiffness(A, h, h_A)]),
     "offset_stiffness": ("Omega A h h_A", lambda *x: [offset_stiffness(*x)]),
     "stability": ("Omega A m zeta h h_A", lambda *x: [stability(*x)]),
-    "response_quartic": ("A F_0 m zeta h", response_quartic),
-    "fold_quartic": ("A m zeta h h_A", fold_quartic),
-    "peak_cubic": ("A m zeta h", peak_cubic),
+    "response_quartic": polynomial("F", (0, 1, 2, 4), "A F_0 m zeta h"),
+    "fold_quartic": polynomial("F_A", (0, 1, 2, 4), "A m zeta h h_A", lambda at: 2),
+    "peak_cubic": polynomial("F_Omega", (0, 1, 3), "A m zeta h", lambda at: 4 * at["A"]),
 }
