@@ -11,6 +11,9 @@ from scipy.integrate import quad
 from scipy.optimize import brentq
 
 from slowflow import Duffing, Isolator, Refused, derive
+from slowflow.core.mechanism import EquationOfMotion, Force
+from slowflow.random_vibration.excitation import White
+from slowflow.random_vibration.questions import stationary
 from slowflow_kernels.conventions import Status
 from slowflow_kernels.table_1 import TABLE_1
 from tests.random_vibration.test_random_vibration import (
@@ -176,6 +179,28 @@ def test_one_stop_shifts_the_mean_by_tails(load, stop):
     Q, phi = math.erfc(x / math.sqrt(2)) / 2, math.exp(-x * x / 2) / math.sqrt(2 * math.pi)
     assert m + k * sigma * (phi - x * Q) == pytest.approx(load, rel=1e-12)
     assert sigma**2 * (1 + k * Q) == pytest.approx(math.pi * S_0 / (2 * zeta), rel=1e-12)
+
+
+def test_a_force_in_many_pieces_is_that_of_their_union():
+    line = Duffing(1.0, 0.3).restoring_force().pieces[0]
+    cut = Force((line,) * 801, tuple(np.geomspace(0.02, 20.0, 800)))
+    system = EquationOfMotion(cut, 0.01, 0.05, load=0.4)
+    found = stationary(system, White(0.01))
+    whole = Duffing(1.0, 0.3, mu=0.01, zeta=0.05, load=0.4).random(S_0=0.01)
+    assert found["u_rms"] == pytest.approx(whole.u_rms, rel=1e-12)
+    assert found["B"] == pytest.approx(whole.B, rel=1e-12)
+
+
+def test_a_motion_in_a_narrow_stiff_zone_is_found():
+    """All of the zone lies in one cell of the search's range, whose mean slope is a quarter of that at the motion."""
+    u, half = sp.Symbol("u"), sp.Rational(65, 1000)
+    pieces = [(u, 1), (2 + ((u - 1 - half) / half) ** 3, 1 + 2 * half), (2 - 2 * half + u, None)]
+    zone = derive.mechanism("narrow_stiff_zone", pieces, {}, odd=False, compile=False)
+    x, sigma = 0.9, 1e-3
+    k, load = 3 * x**2 / 0.065, 2 + x**3
+    found = zone(zeta=0.05, load=load).random(S_0=2 * 0.05 * k * sigma**2 / math.pi)
+    assert found.u_rms == pytest.approx([sigma], rel=1e-3)
+    assert found.B == pytest.approx([1.065 + 0.065 * x], rel=1e-4)
 
 
 @pytest.mark.parametrize("case", range(3))

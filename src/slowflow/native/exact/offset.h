@@ -30,8 +30,9 @@ enum { SF_ORDERS = 12, SF_TAIL = 56, SF_SLOPES = 4, SF_MOST_BOXES = 200000 };
 #define SF_ROOM 0x1p-20
 /* one motion, of two that are found next to each other */
 #define SF_ONE_MOTION 1e-7
-/* cells of u on either side; decades below and above the sizes that there are; every so many bounds are tried */
-enum { SF_FAR_CELLS = 160, SF_MOST_FAR_CELLS = 4 * SF_FAR_CELLS, SF_TRIED = 15, SF_STIFFNESSES = 64 };
+/* cells of u on either side; any two neighbours are wider together than one of these, and some meet at 0; decades below and
+ * above the sizes that there are; every so many bounds are tried */
+enum { SF_FAR_CELLS = 160, SF_MOST_FAR_CELLS = 4 * SF_FAR_CELLS + 8, SF_TRIED = 15, SF_STIFFNESSES = 64 };
 #define SF_SOFTER 40.0
 #define SF_BELOW 1e-4
 #define SF_ABOVE 1e6
@@ -269,15 +270,16 @@ static void sf_search_offset(sf_offset *of, sf_offset_box box)
     sf_cut_offset(of, &box, wide);
 }
 
-/* Where |u| is in a cell of one piece and on one side of 0, with how much f - load pushes back there at least, and its
- * largest slope. */
+/* Where |u| is in a cell on one side of 0, with how much f - load pushes back there at least, and its largest slope. */
 typedef struct {
     double near, far, push, slope;
 } sf_far_cell;
 
-/* Cells up to far from 0; P: Legendre polynomials, by order and node of Gauss's rule */
+/* Cells up to far from 0. nearest, grows: up to where from 0 one is, and by how much |u| grows in others; P: Legendre
+ * polynomials, by order and node of Gauss's rule */
 typedef struct {
     int count;
+    double nearest, grows;
     sf_far_cell at[SF_MOST_FAR_CELLS];
     double P[SF_IN_PART][SF_IN_PART];
 } sf_far_cells;
@@ -312,17 +314,25 @@ static void sf_put_cell(const sf_piece *piece, double load, double low, double h
             varies += size;
         steepest += n == 1 ? of_n : 0.5 * n * (n + 1) * size;
     }
-    const double near = fmin(fabs(low), fabs(high)), far = fmax(fabs(low), fabs(high));
-    if (to->count == SF_MOST_FAR_CELLS) /* what has no room is taken to push away */
-        to->at[0].push = -HUGE_VAL;
-    else if (!isnan(mean)) /* there is a force */
-        to->at[to->count++] = (sf_far_cell){near, far, mean - varies, steepest / h};
+    if (isnan(mean)) /* there is no force */
+        return;
+    sf_far_cell cell = {fmin(fabs(low), fabs(high)), fmax(fabs(low), fabs(high)), mean - varies, steepest / h};
+    if (to->count > 0) { /* of narrow pieces next to each other what is worst */
+        const sf_far_cell *const last = &to->at[to->count - 1];
+        const double near = fmin(last->near, cell.near), far = fmax(last->far, cell.far);
+        if (far <= to->grows * fmax(near, to->nearest)) {
+            cell = (sf_far_cell){near, far, fmin(last->push, cell.push), fmax(last->slope, cell.slope)};
+            to->count--;
+        }
+    }
+    to->at[to->count++] = cell;
 }
 
 /* Of all pieces, in steps away from 0 that grow. */
 static void sf_put_cells(const sf_system *system, double nearest, double farthest, sf_far_cells *to)
 {
     const double grows = pow(farthest / nearest, 1.0 / SF_FAR_CELLS);
+    to->nearest = nearest, to->grows = grows;
     sf_put_legendre(to);
     for (int i = 0; i < system->pieces; i++) {
         const double end = i + 1 < system->pieces ? fmin(system->edge[i + 1], farthest) : farthest;
