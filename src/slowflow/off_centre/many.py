@@ -141,6 +141,10 @@ class OffCentreDesigns(many.Designs):
             one, points = partial(_curve, *window), options["samples"] + MORE_POINTS[OFFSET]
         return self._answered(Question(question, one, None, 1, OFFSET, points), arguments, workers, options)
 
+    def by_doubles(self, question: str, *, max_count: int, **at: Any) -> Batch:
+        """As any answer: no balls decide about offset motions."""
+        return self._ask(question, max_count=max_count, **at)
+
     def _spectrum(self, Omega: Any, F_0: Any) -> Batch:
         """Rows with several forcings take some tenths of a second each."""
         arguments = {"Omega": validate.real_array("Omega", Omega), "F_0": validate.real_array("F_0", F_0)}

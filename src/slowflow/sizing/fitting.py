@@ -19,14 +19,12 @@ from scipy.special import stdtrit
 
 from slowflow.answers.answer import Table, joined
 from slowflow.answers.quantities import SHEET, SI, in_shown, si
-from slowflow.averaged.many import AMPLITUDES, SADDLE_NODES, Question
 from slowflow.core import validate
 from slowflow.core.backend import EXACT
 from slowflow.core.mechanism import EquationOfMotion, Floats
 from slowflow.core.model import THROUGHOUT
 from slowflow.exact.motion import MOST_STEPS, handle, system_of
 from slowflow.exact.transient import record
-from slowflow.off_centre.many import OffCentreDesigns
 from slowflow.oscillators.range_checks import Implausible
 from slowflow.random_vibration.record import accelerations
 from slowflow.sizing.subject import Measured, Subject, first_jump
@@ -479,7 +477,7 @@ def _jumps(subject: Subject, forcing: Any, up: Any, down: Any) -> _Measured:
     def of_designs(values: Mapping[str, Any]) -> Floats:
         """0 where a design does not jump."""
         designs, _, units = subject.designs(values)
-        folds = _of_doubles(designs, SADDLE_NODES, F_0=forces / units[subject.amplitude])
+        folds = designs.by_doubles("saddle_nodes", max_count=MAX_COUNT, F_0=forces / units[subject.amplitude])
         found = np.stack([first_jump(folds, True), first_jump(folds, False)], axis=-2)
         found = found * np.asarray(units["frequency"])[..., np.newaxis]
         return np.asarray(np.nan_to_num(found)[..., there])
@@ -521,7 +519,7 @@ def _nearest(
     """A or phi of the stable state of designs nearest to each measured one, 0 where there is none or the mass rests."""
     designs, _, units = subject.designs(values)
     Omega, F_0 = at / units["frequency"], forcing / units[subject.amplitude]
-    states = _of_doubles(designs, AMPLITUDES, F_0=F_0, Omega=Omega)
+    states = designs.by_doubles("amplitudes", max_count=MAX_COUNT, F_0=F_0, Omega=Omega)
     if name == "A":
         there = states.A * np.asarray(units["length"])[..., np.newaxis]
     else:
@@ -531,17 +529,6 @@ def _nearest(
     nearest = np.argmin(np.abs(there - measured[:, np.newaxis]), axis=-1)[..., np.newaxis]
     found = np.take_along_axis(there, nearest, -1)[..., 0]
     return np.where(np.isfinite(found), found, 0.0)
-
-
-def _of_doubles(designs: Any, question: Question, **at: Floats) -> Any:
-    """The folds or states of designs, about the centre by doubles alone."""
-    if isinstance(designs, OffCentreDesigns):
-        return getattr(designs, question.name)(max_count=MAX_COUNT, **at)
-    columns = designs.ask(question, 1, max_count=MAX_COUNT, **at)
-    if question is AMPLITUDES:
-        A, stable, *_ = columns
-        designs._leave_out_what_drifts(at["Omega"][..., np.newaxis], A, stable)
-    return designs._batch(question.name, columns, {}, **at)
 
 
 def _in_time(subject: Subject, rows: Mapping[str, Any]) -> _Measured:
