@@ -244,7 +244,7 @@ def test_maps_under_a_load_have_the_answers_of_the_batch(tmp_path):
     for refused in (lambda: designs.certify(0.2), lambda: designs.at_rest(), lambda: designs.second_approximation):
         with pytest.raises(ValueError, match="about centred motions"):
             refused()
-    with pytest.raises(ValueError, match="rest is not available without a load"):
+    with pytest.raises(ValueError, match="rest is not available for many designs without a load"):
         over().rest()
 
 
@@ -324,7 +324,7 @@ def test_block_stopped_while_written_is_written_again(written, tmp_path, monkeyp
     path, put, puts = tmp_path / "map.zarr", zarr.Array.__setitem__, []
 
     def stopped(self, *args):
-        if "done" in self.name or self.name.strip("/") in over().asked("detachment", 1)[0].columns():
+        if "done" in self.name or self.name.strip("/") in over().asked("detachment", 1)[0].columns:
             if len(puts) == written:
                 raise KeyboardInterrupt
             puts.append(self.name)

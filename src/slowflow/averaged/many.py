@@ -17,7 +17,7 @@ from functools import cached_property
 from itertools import islice
 from operator import attrgetter
 from types import MappingProxyType
-from typing import Any
+from typing import Any, Self
 
 import numpy as np
 import numpy.typing as npt
@@ -218,6 +218,15 @@ class Designs(Unchanging, ManyQuestions[Batch]):
 
     def __hash__(self) -> int:
         return hash((self.mechanism, *(value.tobytes() for value in self.values.values())))
+
+    @property
+    def _settings(self) -> dict[str, str]:
+        """What is the same for all designs, by name."""
+        return {"excitation": self.excitation, "contact": self.contact}
+
+    def _with_values(self, values: dict[str, Any]) -> Self:
+        """The same kind of designs with other numbers."""
+        return type(self)(self.mechanism, values, **self._settings)
 
     @property
     def design(self) -> list[Floats]:

@@ -7,6 +7,8 @@ from __future__ import annotations
 
 from typing import Any
 
+import numpy as np
+
 from slowflow.answers.table import ManyQuestions
 from slowflow.core import validate
 from slowflow.core.mechanism import Mechanism
@@ -30,15 +32,19 @@ def designs_of(
         others = [name for name in laws if name in values and name not in WITH_MEAN]
         validate.is_plain(why, ", ".join([*others, *[f"contact = {contact!r}"] * (contact != THROUGHOUT)]))
         values["load"] = load
-    if any(validate.is_labelled(value) for value in values.values()):
-        from slowflow.grid.designs import Grid
-
-        return Grid(mechanism, values, excitation, contact)
+    named = any(validate.is_labelled(value) for value in values.values())
+    numbers = dict.fromkeys(values, np.empty(0)) if named else values
     if "load" in values:
         from slowflow.grid.offset import OffCentreDesigns
 
-        return OffCentreDesigns(mechanism, values, excitation)
-    return Designs(mechanism, values, excitation, contact)
+        designs: ManyQuestions[Any] = OffCentreDesigns(mechanism, numbers, excitation)
+    else:
+        designs = Designs(mechanism, numbers, excitation, contact)
+    if not named:
+        return designs
+    from slowflow.grid.designs import Grid
+
+    return Grid(mechanism, designs, values)
 
 
 def _is_none(value: Any) -> bool:

@@ -5,28 +5,25 @@ Dask arrays stay lazy until an answer is computed, block by block; `store` write
 
 from __future__ import annotations
 
-import copy
+import dataclasses
 import pickle
 from collections.abc import Mapping
+from enum import IntEnum
 from functools import cached_property
-from typing import Any
+from typing import Any, Self
 
 import numpy as np
 
 from slowflow.answers.answer import optional
-from slowflow.answers.table import AVERAGING, OFFSET, QUESTIONS, SECOND, ManyQuestions, Question
+from slowflow.answers.table import COLUMNS, QUESTIONS, ManyQuestions
 from slowflow.core import validate
 from slowflow.core.mechanism import Mechanism
-from slowflow.core.model import AT_CENTRE, THROUGHOUT, check_names, off_centre_by
-from slowflow.exact.transient import NO_PULSE
-from slowflow.grid.block import INNER, Ask, lengths, made_by, of_column, of_map
-from slowflow.off_centre.many import check_polynomial
-from slowflow.random_vibration.questions import excited_by
-from slowflow.second.many import UNANSWERED
+from slowflow.core.model import THROUGHOUT
+from slowflow.grid.block import INNER, UNITS, UNITS_OF, Ask, Column, attributes, made_by
 from slowflow.support.errors import Refused, WrongType
 from slowflow.support.immutable import Unchanging
 from slowflow.support.text import text
-from slowflow_kernels.domains import DISSIPATION
+from slowflow_kernels.domains import DAMPING, DISSIPATION
 
 __all__ = ["Grid"]
 
@@ -38,63 +35,39 @@ class Grid(Unchanging, ManyQuestions[Any]):
     """Designs of one mechanism over named axes, and the questions about them; answers are xarray Datasets.
 
     mechanism -- record of the mechanism
-    values    -- the parameters of its design by name, mu and zeta, and eta and c_2 if used: DataArrays, which broadcast
-            by the names of their axes; or dask and NumPy arrays, which broadcast by position, with axes "design_0" and
-            so on
-    excitation, contact -- as in `slowflow.averaged.many.Designs`
+    designs   -- a batch of none, of the kind that the designs of each block are
+    values    -- numbers of the designs by name: DataArrays, which broadcast by the names of their axes; or arrays of
+            dask and NumPy, which broadcast by position, with axes "design_0" and so on
 
     An answer has the columns of a batch, including `remarks`, over all axes, with the parameters as coordinates;
     coordinates of axes are kept. It is computed at once, unless a parameter is a dask array: then by `.compute()`.
     `workers` threads share one block, in addition to dask's own.
 
-    Raises TypeError for a missing or unknown name, ValueError for arrays without real numbers and for axes that do not
-    match, ImportError without xarray.
+    Raises ValueError for arrays without real numbers and for axes that do not match, ImportError without xarray.
     """
 
     mechanism: Mechanism
-    excitation: str
-    contact: str
+    designs: Any
     values: dict[str, Any]
-    _parameters: dict[str, Any]
-    _depth: str
+    _parameters: Mapping[str, Any]
 
-    def __init__(
-        self, mechanism: Mechanism, values: Mapping[str, Any], excitation: str = "force", contact: str = THROUGHOUT
-    ) -> None:
-        own = {name: value for name, value in values.items() if name != "load"}
-        parameters = {name: own[name] for name in check_names(mechanism, own, DISSIPATION)}
-        if "load" in values:
-            check_polynomial(mechanism)
-            parameters["load"] = values["load"]
+    def __init__(self, mechanism: Mechanism, designs: Any, values: Mapping[str, Any]) -> None:
         # not by attribute: these cannot be set
-        self.__dict__.update(mechanism=mechanism, excitation=excitation, contact=contact, values=labelled(parameters))
-        self.__dict__.update(_parameters=parameters, _depth=AVERAGING)
+        self.__dict__.update(mechanism=mechanism, designs=designs, values=labelled(values), _parameters=values)
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Grid):
             return NotImplemented
-        own = (self.mechanism, self.excitation, self.contact, self._depth, *self.values)
-        theirs = (other.mechanism, other.excitation, other.contact, other._depth, *other.values)
+        own, theirs = ((one.mechanism, one.designs, *one.values) for one in (self, other))
         return own == theirs and all(value.identical(other.values[name]) for name, value in self.values.items())
 
     def __hash__(self) -> int:
-        return hash((self.mechanism, self.excitation, self.contact, self._depth, *self.sizes.items()))
+        return hash((self.mechanism, self.designs, *self.sizes.items()))
 
     @cached_property
-    def second_approximation(self) -> Grid:
+    def second_approximation(self) -> Self:
         """The same questions with higher harmonics of force and friction; see `slowflow.second.many`."""
-        validate.is_plain("second_approximation", self._laws)
-        if "load" in self._parameters:
-            raise validate.NotAvailable(AT_CENTRE.format(off_centre_by(self.mechanism, 0.0) or "with a load"))
-        deeper = copy.copy(self)
-        deeper.__dict__["_depth"] = SECOND
-        return deeper
-
-    @property
-    def _laws(self) -> str:
-        """The damping laws other than mu and zeta, by name; empty without."""
-        names = [one.name for one in DISSIPATION if one.name in self._parameters]
-        return ", ".join(names if self.contact == THROUGHOUT else [*names, f"contact = {self.contact!r}"])
+        return type(self)(self.mechanism, self.designs.second_approximation, self._parameters)
 
     @property
     def sizes(self) -> dict[str, int]:
@@ -129,27 +102,24 @@ class Grid(Unchanging, ManyQuestions[Any]):
         from slowflow.grid.store import filled
 
         ask, values = self.asked(question, workers, **arguments)
-        must_travel(self.mechanism)
+        must_travel(ask)
         nested = {dim for value in values.values() for dim, index in value.indexes.items() if index.nlevels > 1}
         if nested:
             raise Refused(
                 f"the coordinate {nested.pop()} has several levels, which Zarr cannot store: call its .reset_index"
             )
         axes = sizes(values)
-        return filled(path, ask, values, axes, blocks(values, axes))
+        return filled(path, ask, self._about_map(ask), values, axes, blocks(values, axes))
 
-    def asked(self, question: str, workers: int, **arguments: Any) -> tuple[Ask, dict[str, Any]]:
+    def asked(self, question: str, workers: int = 1, **arguments: Any) -> tuple[Ask, dict[str, Any]]:
         """Return a question as a function of a block's numbers, and all the numbers that it takes.
 
         arguments -- of the question, other than the designs, as its method takes them
 
-        Raises TypeError for missing or unknown arguments, ValueError for invalid ones.
+        Raises TypeError for missing or unknown arguments, ValueError for invalid ones, as a batch without designs does.
         """
-        system = OFFSET if "load" in self._parameters else self._depth
-        known = tuple(name for name, row in QUESTIONS.items() if system in row.columns)
-        if question in QUESTIONS and question not in known:
-            raise validate.NotAvailable(self._without(question))
-        entry = QUESTIONS[validate.choice("question", question, known)]
+        entry = QUESTIONS[validate.choice("question", question, tuple(QUESTIONS))]
+        getattr(self.designs, question)  # or the reason why there is none
         arguments = {name: value for name, value in arguments.items() if value is not None}
         for name in entry.takes:
             if name not in arguments:
@@ -157,63 +127,66 @@ class Grid(Unchanging, ManyQuestions[Any]):
         for name in arguments:
             if name not in (*entry.takes, *entry.may, *entry.options):
                 raise WrongType(f"{name} is not an argument of {question}")
-        options = {name: arguments.pop(name, default) for name, default in entry.options.items()}
-        self._check(question, options, arguments, workers)
-        if options.get("psd") is not None:  # as a store tells it
-            options["psd"] = [np.asarray(row, dtype=float).tolist() for row in options["psd"]]
-        values, tables = self._with(entry, arguments)
-        rows = max((values[name].sizes["row"] for name in tables if "row" in values[name].dims), default=1)
-        own = self.mechanism, self.excitation, self.contact, question, self._depth, tuple(values)
-        more = tuple(options.items()), tables, lengths(entry, system, options, rows)
-        found = Ask(*own, *more, workers, made_by(self.mechanism))
-        axes = {dim for name, value in values.items() for dim in value.dims if dim != entry.argument_axes.get(name)}
-        taken = {*INNER, "done", *found.columns()} & {*axes, *values}
+        options = tuple((name, arguments.pop(name, default)) for name, default in entry.options.items())
+        tables = (name for name, axis in entry.argument_axes.items() if axis == "row" or "tau" in arguments)
+        axes = {self._shown(name): entry.argument_axes[name] for name in tables}
+        named = {self._shown(name): value for name, value in arguments.items()}
+        values = self._with(named, axes)
+        of_arguments = dict(zip(named, arguments, strict=True))
+        names = {shown: of_arguments.get(shown, shown) for shown in values}
+        inner = {shown: [dim for dim in value.dims if dim == axes.get(shown)] for shown, value in values.items()}
+        own = self.designs, self.mechanism, question, tuple(names.values()), options
+        ask = Ask(*own, tuple(names[shown] for shown, dims in inner.items() if dims), workers)
+        sizes_of_none = ([0, *(values[shown].sizes[dim] for dim in dims)] for shown, dims in inner.items())
+        none = ask.answer(*map(np.empty, sizes_of_none))
+        system, columns = self._columns(none)
+        of_designs = {dim for shown, value in values.items() for dim in value.dims if dim not in inner[shown]}
+        taken = {*INNER, "done", *columns} & {*of_designs, *values}
         if taken:
             raise Refused(f"an axis or a parameter cannot be named {taken.pop()}: the answer has a column of that name")
-        return found, values
+        ask = dataclasses.replace(ask, columns=columns, system=system, made_by=made_by(self.mechanism))
+        return ask, {shown: value.assign_attrs(self._about(names[shown])) for shown, value in values.items()}
 
-    def _check(self, question: str, options: Mapping[str, Any], arguments: Mapping[str, Any], workers: int) -> None:
-        """Raises ValueError for what is the same for all designs and not allowed, before anything is computed."""
-        validate.workers(workers)
-        if "max_count" in options:
-            validate.count("max_count", options["max_count"], least=1)
-        if "samples" in options:
-            validate.curve(options["samples"], options["Omega"])
-        if options.get("after") is not None:
-            validate.number("after", options["after"], least=0.0)
-        if question == "random":
-            excited_by(None if arguments.get("S_0") is None else 1.0, options["psd"])
-        if question == "transient" and ("duration" in arguments) == ("tau" in arguments):
-            raise Refused(NO_PULSE)
-        if question == "certify":
-            validate.is_force(question, self.excitation)
-            validate.is_plain(question, self._laws)
+    def _columns(self, none: Any) -> tuple[str, dict[str, Column]]:
+        """The system that answers, and the columns of a map by name, from the answer about no designs."""
+        batch, found = getattr(none, "answer", none), {}
+        for name, (axis, kind) in batch.question.layout(batch.system).items():
+            shown = self._shown(name)
+            length = getattr(none, shown).shape[-1] if axis else 1
+            found[shown] = Column(axis, length, kind, self._about(name, batch.question.kinds))
+        return batch.system, found
 
-    def _without(self, question: str) -> str:
-        """Why a question of the table has no answer here."""
-        if "load" in self._parameters:
-            return AT_CENTRE.format(off_centre_by(self.mechanism, 0.0) or "with a load")
-        if question == "rest":
-            return text("rest is not available without a load: the mass rests at {u} = 0")
-        return f"{question}: {UNANSWERED[question]}"
+    def _about(self, name: str, kinds: type[IntEnum] | None = None) -> dict[str, Any]:
+        """The attributes of a column, or of a number that a question takes."""
+        return attributes(name, *self._meaning(name), kinds)
 
-    def _with(self, entry: Question, arguments: Mapping[str, Any]) -> tuple[dict[str, Any], tuple[str, ...]]:
-        """All numbers of a question, and the names of those that are tables or records."""
-        axes = {name: axis for name, axis in entry.argument_axes.items() if axis == "row" or "tau" in arguments}
+    def _shown(self, name: str) -> str:
+        """The name of a column or an argument in an answer."""
+        return name
+
+    def _meaning(self, name: str) -> tuple[str, str]:
+        """The meaning and the unit of a number."""
+        known = {domain.name: domain.doc for domain in (*self.mechanism.design, *DAMPING, *DISSIPATION)}
+        return known.get(name) or text(COLUMNS[name].text), UNITS_OF.get(name, UNITS)
+
+    def _about_map(self, ask: Ask) -> dict[str, Any]:
+        """The attributes of a whole map."""
+        settings = {name: value for name, value in self.designs._settings.items() if value != THROUGHOUT}
+        own = {"mechanism": self.mechanism.name, "title": self.mechanism.title, **settings}
+        return {**own, "question": ask.question, "depth": ask.system, **ask.made_by}
+
+    def _with(self, arguments: Mapping[str, Any], axes: Mapping[str, str]) -> dict[str, Any]:
+        """All numbers of a question; axes of tables and records by name."""
         plain = {name: value for name, value in arguments.items() if name not in axes}
         values = labelled({**self._parameters, **plain}) if plain else dict(self.values)
-        for name, axis in axes.items():
-            if name in arguments:
-                values[name] = tabled(name, arguments[name], axis)
+        values |= {name: tabled(name, arguments[name], axis) for name, axis in axes.items() if name in arguments}
         aligned = optional("xarray", "a grid", "grid").align(*values.values(), join="exact", copy=False)
-        values = dict(zip(values, aligned, strict=True))
-        return values, tuple(name for name, axis in axes.items() if name in arguments and axis in values[name].dims)
+        return dict(zip(values, aligned, strict=True))
 
     def _answer(self, ask: Ask, values: dict[str, Any]) -> Any:
         xarray = optional("xarray", "a grid", "grid")
-        columns = ask.columns()
         if any(value.chunks is not None for value in values.values()):
-            must_travel(self.mechanism)
+            must_travel(ask)
             cut = blocks(values, sizes(values))
             whole = dict.fromkeys(INNER, -1)
             values = {
@@ -225,15 +198,14 @@ class Grid(Unchanging, ManyQuestions[Any]):
             join="exact",
             dask="parallelized",
             input_core_dims=[[dim for dim in value.dims if dim in INNER] for value in values.values()],
-            output_core_dims=[[axis] if axis else [] for axis, _ in columns.values()],
-            output_dtypes=[kind for _, kind in columns.values()],
-            dask_gufunc_kwargs={"output_sizes": dict(ask.lengths)},
+            output_core_dims=[[column.axis] if column.axis else [] for column in ask.columns.values()],
+            output_dtypes=[column.type for column in ask.columns.values()],
+            dask_gufunc_kwargs={"output_sizes": ask.lengths},
         )
-        content = xarray.Dataset(dict(zip(columns, found, strict=True)), attrs=of_map(ask))
-        for name in columns:
-            content[name].attrs.update(of_column(ask, name))
-        coordinates = {name: value.assign_attrs(of_column(ask, name)) for name, value in values.items()}
-        return content.assign_coords(coordinates)
+        content = xarray.Dataset(dict(zip(ask.columns, found, strict=True)), attrs=self._about_map(ask))
+        for name, column in ask.columns.items():
+            content[name].attrs.update(column.attributes)
+        return content.assign_coords(values)
 
 
 def labelled(values: Mapping[str, Any]) -> dict[str, Any]:
@@ -248,7 +220,7 @@ def labelled(values: Mapping[str, Any]) -> dict[str, Any]:
         if array.dtype.kind not in "fiu":
             raise Refused(f"{name} holds {array.dtype}: it must hold real numbers")
         if isinstance(array, (xarray.DataArray, xarray.Variable)):
-            found[name] = xarray.DataArray(array).reset_coords(drop=True)
+            found[name] = xarray.DataArray(array, attrs={}).reset_coords(drop=True)
         elif named and array.ndim:
             raise Refused(f"{name} has axes without names, while others have names: xarray.DataArray({name}, dims=...)")
         else:
@@ -272,7 +244,7 @@ def tabled(name: str, value: Any, axis: str) -> Any:
     if array.dtype.kind not in "fiu":
         raise Refused(f"{name} holds {array.dtype}: it must hold real numbers")
     if isinstance(array, (xarray.DataArray, xarray.Variable)):
-        found = xarray.DataArray(array).reset_coords(drop=True)
+        found = xarray.DataArray(array, attrs={}).reset_coords(drop=True)
     elif array.ndim < 2:
         found = xarray.DataArray(array, dims=[axis][: array.ndim])
     else:
@@ -327,9 +299,9 @@ def blocks(values: Mapping[str, Any], lengths: Mapping[str, int]) -> dict[str, i
     return {dim: max(cuts) for dim, cuts in zip(lengths, chosen, strict=True)}
 
 
-def must_travel(mechanism: Mechanism) -> None:
+def must_travel(ask: Ask) -> None:
     """Raise ValueError for a mechanism whose functions cannot be sent to another process."""
     try:
-        pickle.loads(pickle.dumps(mechanism))
+        pickle.loads(pickle.dumps(ask))
     except Exception as error:
-        raise Refused(f"{mechanism.name} cannot be sent to other processes: {error}") from error
+        raise Refused(f"{ask.mechanism.name} cannot be sent to other processes: {error}") from error

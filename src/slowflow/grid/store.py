@@ -22,8 +22,7 @@ import xarray
 import zarr
 from dask.callbacks import Callback
 
-from slowflow.core.model import THROUGHOUT
-from slowflow.grid.block import INNER, NOT_YET, Ask, of_column, of_map
+from slowflow.grid.block import INNER, NOT_YET, Ask
 from slowflow.support import progress
 from slowflow.support.errors import Refused
 
@@ -37,9 +36,17 @@ FILL = {"f": np.nan, "i": 0, "u": 0}
 Block = tuple[int, ...]
 
 
-def filled(path: Any, ask: Ask, values: Mapping[str, Any], sizes: dict[str, int], blocks: dict[str, int]) -> Any:
+def filled(
+    path: Any,
+    ask: Ask,
+    about: Mapping[str, Any],
+    values: Mapping[str, Any],
+    sizes: dict[str, int],
+    blocks: dict[str, int],
+) -> Any:
     """The store at a path, begun or continued until every block is in it; a lazy Dataset.
 
+    about  -- attributes of the map
     values -- DataArrays by name, what `ask` is called with
     sizes  -- lengths of the axes, in their order
     blocks -- lengths of a block along each; a store that was begun keeps its own
@@ -47,9 +54,9 @@ def filled(path: Any, ask: Ask, values: Mapping[str, Any], sizes: dict[str, int]
     if isinstance(path, Path) or (isinstance(path, str) and "://" not in path):
         path = os.path.abspath(path)  # means the same to every process; a store of Zarr, or an address, does as it is
     values = {name: value if _unread(value) else value.compute() for name, value in values.items()}
-    identity = _identity(ask, values, sizes)
-    about = {**of_map(ask), "asked": json.dumps(identity), "blocks": json.dumps(blocks), "complete": 0}
-    group = _begun(path, identity, about)
+    identity = _identity(ask, about, values, sizes)
+    own = {"asked": json.dumps(identity), "blocks": json.dumps(blocks), "complete": 0}
+    group = _begun(path, identity, {**about, **own})
     blocks = json.loads(group.attrs["blocks"])
     if DONE not in group:
         _prepare(path, ask, values, group, sizes, blocks)
@@ -81,21 +88,21 @@ def _reporter(group: Any) -> Callback:
 class Fill:
     """The task of one block, which pickles: computes its columns, writes them, ticks it off.
 
-    unread -- axes of the parameters that were not read at the start, by name: they are written with the columns
+    unread -- which of the parameters were not read at the start, by name, and their axes: they are written with the
+            columns
     """
 
     path: Any
     ask: Ask
-    unread: dict[str, tuple[int, ...]]
+    unread: dict[str, tuple[int, tuple[int, ...]]]
 
     def __call__(self, block: Block, region: tuple[slice, ...], *values: Any) -> None:
         """The block with this number, in this region of the map; values have all its axes, some of length 1."""
         group = zarr.open_group(self.path, mode="r+")
-        for name, column in zip(self.ask.columns(), self.ask(*values), strict=True):
+        for name, column in zip(self.ask.columns, self.ask(*values), strict=True):
             group[name][region] = column
-        by_name = dict(zip(self.ask.names, values, strict=True))
-        for name, axes in self.unread.items():
-            value = by_name[name].reshape([by_name[name].shape[k] for k in axes])
+        for name, (place, axes) in self.unread.items():
+            value = values[place].reshape([values[place].shape[k] for k in axes])
             group[name][tuple(region[k] for k in axes)] = value
         group[DONE][block] = True
 
@@ -105,7 +112,11 @@ def _missing(
 ) -> Iterator[Any]:
     """The tasks of the blocks that are not ticked off."""
     dims = list(sizes)
-    unread = {name: tuple(map(dims.index, _dims(value, sizes))) for name, value in values.items() if _unread(value)}
+    unread = {
+        name: (place, tuple(map(dims.index, _dims(value, sizes))))
+        for place, (name, value) in enumerate(values.items())
+        if _unread(value)
+    }
     task = dask.delayed(Fill(path, ask, unread), pure=False, traverse=False)
     pieces = [_part_of(value, sizes, blocks) for value in values.values()]
     for block in np.argwhere(~np.asarray(group[DONE][...])).tolist():
@@ -168,16 +179,16 @@ def _prepare(
     What is there is left, so that two processes that begin at the same time do each other no harm.
     """
     unread = {name: value for name, value in values.items() if _unread(value)}
-    read = {name: value.assign_attrs(of_column(ask, name)) for name, value in values.items() if name not in unread}
+    read = {name: value for name, value in values.items() if name not in unread}
     coords = {dim: coord for value in values.values() for dim, coord in value.coords.items()}
     # an encoding is of where they come from, and may round
     about = {name: value for name, value in group.attrs.items() if name != "coordinates"}
     known = xarray.Dataset(coords=coords | read, attrs=about).drop_encoding()
     known.to_zarr(path, mode="a", consolidated=False)
     group.attrs["coordinates"] = " ".join(sorted(set(known.coords) - set(known.sizes) | unread.keys()))
-    lengths, cut = {**sizes, **dict(ask.lengths)}, {**blocks, **dict(ask.lengths)}
+    lengths, cut = sizes | ask.lengths, blocks | ask.lengths
 
-    def make(name: str, dims: list[str], kind: Any, fill: Any) -> None:
+    def make(name: str, dims: list[str], kind: Any, fill: Any, attributes: dict[str, Any]) -> None:
         group.require_array(
             name,
             shape=[lengths[dim] for dim in dims],
@@ -185,14 +196,14 @@ def _prepare(
             dtype=kind,
             fill_value=fill,
             dimension_names=dims,
-            attributes=of_column(ask, name),
+            attributes=attributes,
         )
 
     for name, value in unread.items():
-        make(name, _dims(value, sizes), value.dtype, np.nan)
-    for name, (axis, kind) in ask.columns().items():
+        make(name, _dims(value, sizes), value.dtype, np.nan, value.attrs)
+    for name, (axis, _, kind, attributes) in ask.columns.items():
         fill = NOT_YET if name == "status" else FILL[kind.kind]
-        make(name, [*sizes, *([axis] if axis else [])], kind, fill)
+        make(name, [*sizes, *([axis] if axis else [])], kind, fill, attributes)
     group.require_array(
         DONE,
         shape=[-(-length // blocks[dim]) for dim, length in sizes.items()],
@@ -204,22 +215,23 @@ def _prepare(
     )
 
 
-def _identity(ask: Ask, values: Mapping[str, Any], sizes: Mapping[str, int]) -> dict[str, Any]:
+def _identity(
+    ask: Ask, about: Mapping[str, Any], values: Mapping[str, Any], sizes: Mapping[str, int]
+) -> dict[str, Any]:
     """What makes a map this one, by name: question, version, axes, and each parameter by its content.
 
     Of a parameter that is not read the name that dask gives it stands for the content.
     """
-    found: dict[str, Any] = {"mechanism": ask.mechanism.name, "question": ask.question, **dict(ask.options)}
+    found: dict[str, Any] = {**about, **dict(ask.options), "axes": list(sizes.items())}
     # a record that was changed keeps its name
     found["record"] = hashlib.sha256(pickle.dumps(ask.mechanism)).hexdigest()[:16]
-    found |= {} if ask.contact == THROUGHOUT else {"contact": ask.contact}
-    found |= {"excitation": ask.excitation, "depth": ask.depth, **ask.made_by, "axes": list(sizes.items())}
     for name, value in values.items():
         dims = _dims(value, sizes)
         kept = value.data.name if value.chunks is not None else _digest(value.transpose(*dims, ...).values)
         found[name] = [dims, kept]
         found |= {f"coordinate {dim}": _digest(np.asarray(coord)) for dim, coord in value.coords.items()}
-    return json.loads(json.dumps(found))  # type: ignore[no-any-return]  # as it is read back
+    plain = json.dumps(found, default=lambda numbers: np.asarray(numbers).tolist())
+    return json.loads(plain)  # type: ignore[no-any-return]  # as it is read back
 
 
 def _digest(array: Any) -> str:

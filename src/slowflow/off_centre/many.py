@@ -109,6 +109,11 @@ class OffCentreDesigns(many.Designs):
         # not by attribute: these cannot be set
         self.__dict__.update(values=numbers, shape=validate.common_shape(numbers), _singles={})
 
+    @property
+    def _settings(self) -> dict[str, str]:
+        """What is the same for all designs, by name; friction acts throughout."""
+        return {"excitation": self.excitation}
+
     rest = ManyQuestions.rest
     at_rest = certify = Unanswered("of motions about the centre")
 

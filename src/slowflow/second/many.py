@@ -82,6 +82,15 @@ class SecondDesigns(ManyQuestions[SecondBatch]):
 
     first: Designs
 
+    @property
+    def _settings(self) -> dict[str, str]:
+        """Those of the averaged designs."""
+        return self.first._settings
+
+    def _with_values(self, values: dict[str, Any]) -> SecondDesigns:
+        """The same kind of designs with other numbers."""
+        return SecondDesigns(self.first._with_values(values))
+
     def _ask(self, question: str, /, *, workers: int = 1, **kwargs: Any) -> SecondBatch:
         """The answer to a question by its name, from what its method takes."""
         row = QUESTIONS[question]
