@@ -3,7 +3,7 @@
     python -m benchmarks.costs    writes src/slowflow/app/costs.py, in some ten minutes
 
 A design is a mount of usual numbers from a fixed seed. Its time is that of the processor, which other programs on the
-machine change least. What a time is counted by, as a frequency or a row of a spectrum, `Asked.count` says.
+machine change least. What a time is counted by, as a frequency or a row of a spectrum, `Query.count` says.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from pathlib import Path
 
 from benchmarks.environment import processor
 from slowflow.answers.table import SHOCKS
-from slowflow.app.scenes import QUESTIONS, Asked, Scene, read
+from slowflow.app.scenes import QUESTIONS, Query, Scene, read
 from slowflow.sizing import tolerances
 from slowflow.sizing.subject import Subject
 from slowflow.sizing.tolerances import FEW_SAMPLES
@@ -93,7 +93,7 @@ def scene(question: str, kind: str, drawn: random.Random) -> Scene:
         return read(path)
 
 
-def once(of: Scene, request: Asked) -> float:
+def once(of: Scene, request: Query) -> float:
     """Seconds of one answer over what it is counted by; of tolerances design by design, those of a tenth of them."""
     begun = time.process_time()
     few = request.question == "tolerances" and Subject(of.oscillator, request.arguments["within"]).one_by_one
@@ -111,7 +111,7 @@ def entries() -> Iterator[tuple[str, str, list[float]]]:
             drawn, times, begun = random.Random(SEED), {}, time.monotonic()
             for _ in range(DESIGNS):
                 of = scene(question, kind, drawn)
-                for request in of.asked:
+                for request in of.queries:
                     try:
                         took = once(of, request)
                     except SlowflowError:

@@ -141,7 +141,7 @@ COUNTS: Columns = {
 }
 SCALE: Columns = {
     "question": question,
-    "cases": counted("asked"),
+    "cases": counted("queries"),
     "differ": counted("differ"),
     "undecided": counted("undecided"),
     "not proved": counted("unproved"),
@@ -303,7 +303,8 @@ def in_short(numbers: Numbers) -> list[str]:
     )
     wrong = sum(len(t["wrong"]) + t["wrong beside"] for t in of_counts)
     many, differ, of_many, unproved = (
-        sum(t[name] for t in numbers["counts against proofs"]) for name in ("asked", "differ", "undecided", "unproved")
+        sum(t[name] for t in numbers["counts against proofs"])
+        for name in ("queries", "differ", "undecided", "unproved")
     )
     lines = [
         f"- **Kernels, target {kernels.TARGET:g} u (1 + κ)**: {len(found) - len(beyond)} of {len(found)} meet it; "
@@ -451,7 +452,7 @@ def unjudged_lines(found: list[Numbers]) -> list[str]:
 
 def wrong_lines(numbers: Numbers) -> list[str]:
     """The wrong counts, if any: how many, and some of each question, the farthest from a level first."""
-    head = ("asked", "found", "proved", "distance / u(1+κ)", "relative", "Omega of the level", "where")
+    head = ("queries", "found", "proved", "distance / u(1+κ)", "relative", "Omega of the level", "where")
     wrong, rows = 0, []
     for total in totals(numbers["counts"]):
         wrong += len(total["wrong"])
@@ -465,14 +466,14 @@ def wrong_lines(numbers: Numbers) -> list[str]:
 
 def fraction(numbers: Numbers, what: str, proved: str = "proved") -> str:
     """How much of it is proved, or by doubles alone."""
-    known, total = numbers[proved][what], numbers["asked"][what]
+    known, total = numbers[proved][what], numbers["queries"][what]
     return f"{known:,} of {total:,} ({known / total:.1%})"
 
 
 def balls_fraction(numbers: Numbers) -> str:
     """How much is proved of all questions of the families that are hard."""
     total, proved = (
-        sum(sum(found[name].values()) for found in numbers["families"].values()) for name in ("asked", "proved")
+        sum(sum(found[name].values()) for found in numbers["families"].values()) for name in ("queries", "proved")
     )
     return f"{proved:,} of {total:,} in families that are hard for double precision"
 
@@ -484,8 +485,8 @@ def proof_lines(numbers: Numbers) -> list[str]:
     by_family = [
         (
             name,
-            *(f"{found['alone'][what]:,} of {found['asked'][what]:,}" for what in proofs.QUESTIONS),
-            f"{sum(found['proved'][what] for what in proofs.QUESTIONS):,} of {sum(found['asked'].values()):,}",
+            *(f"{found['alone'][what]:,} of {found['queries'][what]:,}" for what in proofs.QUESTIONS),
+            f"{sum(found['proved'][what] for what in proofs.QUESTIONS):,} of {sum(found['queries'].values()):,}",
         )
         for name, found in families.items()
     ]
@@ -514,7 +515,7 @@ def proof_lines(numbers: Numbers) -> list[str]:
         head = ("isolator", "F_0", "found", "proved")
         lines += ["Where another number of folds is proved than found:", "", *table(head, _rows(numbers["others"])), ""]
     if unproved:
-        head = ("asked", "isolator", "F_0", "why")
+        head = ("queries", "isolator", "F_0", "why")
         lines += ["Not proved, with what the answer says:", "", *table(head, _rows(unproved)), ""]
     return lines
 

@@ -38,7 +38,7 @@ MOST_SPRINGS = 4
 DISTANCES = (1e-3, 1e-6, 1e-9, 1e-12, 1e-14)
 QUESTIONS = ("folds", "states", "F_SN", "F_cr")
 #: what is counted by question: all, what is proved, by doubles alone
-COUNTED = ("asked", "proved", "alone")
+COUNTED = ("queries", "proved", "alone")
 #: families, by what is drawn otherwise; the first is that of the targets
 FAMILIES = ("anywhere", "delta_h to 1", "delta_h to 0", "alpha to 0", "F_0 to 4 mu/pi", "not truncated")
 #: of the others, for each isolator of the first
@@ -75,7 +75,7 @@ def empty() -> dict[str, Any]:
 
 def enter(tally: dict[str, Any], isolator: Isolator, F_0: float, what: str, proof: Proved) -> None:
     """One more question; of one that is not proved, which isolator, and why."""
-    tally["asked"][what] += 1
+    tally["queries"][what] += 1
     tally["proved"][what] += proof.proved
     tally["alone"][what] += proof.proved and proof.bits == DOUBLES
     if not proof.proved:

@@ -28,7 +28,7 @@ SEED = 41
 AT_ONCE = 20_000
 #: frequencies near each fold, and anywhere
 NEAR_FOLDS, ANYWHERE = 15, 225
-COUNTED = ("asked", "differ", "undecided", "unproved", "refused")
+COUNTED = ("queries", "differ", "undecided", "unproved", "refused")
 #: cases named of each kind that differ or that nothing proves
 NAMED = 3
 Tally = dict[str, Any]
@@ -155,7 +155,7 @@ def empty(kind: str, what: str) -> Tally:
 def enter(tally: Tally, at: npt.NDArray[np.float64], marked: Flags, proved: Flags, other: Flags) -> None:
     """More cases: where they are, whether they are marked as undecided, proved, and another number is proved."""
     differ, unproved = proved & ~marked & other, ~marked & ~proved
-    tally["asked"] += len(at)
+    tally["queries"] += len(at)
     for name, which in (("differ", differ), ("undecided", marked), ("unproved", unproved)):
         tally[name] += int(which.sum())
     for name, which in (("differ", differ), ("unproved", unproved)):

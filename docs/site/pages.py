@@ -32,7 +32,7 @@ FIRST_PAGE = 4000
 #: sections of the reference, with patterns of their modules: the first that matches
 PURPOSES = {
     "Isolators and oscillators": r"^slowflow$|(physical|oscillator|composed|loads|example)$|(w|averaged)\.questions$",
-    "Many designs": r"many|batches|asked|designs|grid|\.table$",
+    "Many designs": r"many|batches|designs|grid|\.table$",
     "Static loads and asymmetric forces": r"off_centre",
     "Exact motions and second approximation": r"exact|second",
     "Tolerances, requirements, fits": r"sizing",

@@ -262,7 +262,7 @@ def test_a_report_asks_each_question_once_and_none_that_was_run(name, monkeypatc
     path, out = ROOT / "scenes" / f"{name}.toml", tmp_path / "report.html"
     command = ["run", str(path), "--quiet", "-o", str(tmp_path / "out"), "--report", str(out)]
     assert cli.main(command) == 0 and not Page(out.read_text()).open
-    assert len(queries) == len(set(queries)) > len(scenes.read(path).asked)
+    assert len(queries) == len(set(queries)) > len(scenes.read(path).queries)
     assert out.read_text() == report.html(scenes.read(path))  # the page of a report by itself
 
 

@@ -61,7 +61,7 @@ def scene(tmp_path):
 def test_a_shipped_scene_runs(path, tmp_path, capsys):
     code, out, err = run("run", path, "-o", tmp_path / "out", capsys=capsys)
     content = json.loads((tmp_path / "out" / "answers.json").read_text())
-    queries = scenes.read(path).asked
+    queries = scenes.read(path).queries
     # on a busy machine a question may say that it takes more than a second
     assert (code, out) == (0, "") and err.endswith(
         f"{len(queries)} answers are written to the folder {tmp_path / 'out'}\n"
@@ -75,7 +75,7 @@ def test_tolerances_cover_each_row_of_spectrum_and_shocks(scene, monkeypatch):
     text = (ROOT / "scenes" / "shaking_floor.toml").read_text().replace('"at_rest", ', '"tolerances", ')
     shock = "[shock]\nacceleration = 20.0\nduration = [0.011, 0.02]\n"
     read = scenes.read(scene(f"{text}\n[tolerances]\nk_h = 0.05\n\n{shock}"))
-    queries = [one for one in read.asked if one.question == "tolerances"]
+    queries = [one for one in read.queries if one.question == "tolerances"]
     monkeypatch.setattr(slowflow.sizing, "tolerances", lambda of, **arguments: arguments)
     found = [{name: value for name, value in read.answer(one).items() if name != "answers"} for one in queries]
     within, at_a_frequency = {"within": {"k_h": 0.05}}, [{}, {"f": 5.0}, {"f": 10.0}]
@@ -149,7 +149,7 @@ def test_result_comes_first_in_the_unit_of_the_head(case, tmp_path, capsys):
     row = next(rows_of(tmp_path / f"{question}.csv"))
     assert next(iter(row)) == column and float(row[column]) == pytest.approx(value, rel=1e-15)
     content = json.loads((tmp_path / "answers.json").read_text())
-    units = content["answers"][0]["asked_in"]  # JSON has what was asked as the scene has it
+    units = content["answers"][0]["units_of_arguments"]  # JSON has what was asked as the scene has it
     assert (
         units
         == {
@@ -200,7 +200,7 @@ def test_explain_lists_the_plan_and_solves_nothing(scene, monkeypatch, capsys):
     path = scene(MOUNT.replace("F = [3.0, 5.0]", "F = [0.3]"))
     code, out, _ = run("explain", path, capsys=capsys)
     assert code == 0 and "saddle_nodes at F = 0.3 N\n  force         skipped  sticks" in out
-    assert out.count("  takes         ") == len(scenes.read(path).asked) and "\nin total " in out
+    assert out.count("  takes         ") == len(scenes.read(path).queries) and "\nin total " in out
     left = "rest, margins, hysteresis, isolation, spectrum, transient, shock_spectrum, random, tolerances, "
     left += "exact_response, fold_locus, cusps, isola_points"
     assert out.endswith(f"not requested, not computed: {left}\n")
@@ -209,7 +209,7 @@ def test_explain_lists_the_plan_and_solves_nothing(scene, monkeypatch, capsys):
 @pytest.mark.parametrize("path", SHIPPED, ids=lambda path: path.stem)
 def test_every_question_of_a_shipped_scene_has_an_estimate(path):
     read = scenes.read(path)
-    assert all(read.seconds(query) > 0 for query in read.asked)
+    assert all(read.seconds(query) > 0 for query in read.queries)
 
 
 def test_columns_of_a_scene_are_those_of_a_file(scene, tmp_path):
@@ -224,7 +224,7 @@ def test_columns_of_a_scene_are_those_of_a_file(scene, tmp_path):
         "table": "[spectrum]\nF = [5.0, 3.0]\nf = [2.0, 5.0]\n",
     }
     read, same = (scenes.read(scene(head + text)) for text in (files, "".join(lists.values())))
-    for one, other in zip(read.asked, same.asked, strict=True):
+    for one, other in zip(read.queries, same.queries, strict=True):
         assert read.answer(one) == same.answer(other)
     (tmp_path / "table.csv").write_text("F [N], f [Hz]\n5, 2\n3, 5 Hz\n")
     with pytest.raises(ValueError, match=r"table.csv:3: f = '5 Hz' is not a number"):
@@ -240,7 +240,7 @@ def test_a_base_is_given_by_its_acceleration_in_a_scene(scene):
     )
     read = scenes.read(scene(text))
     mount = Isolator.physical(**read.content["mount"]).replace(excitation="acceleration")
-    found = {str(one): read.ask(one.question, **one.arguments) for one in read.asked}
+    found = {str(one): read.ask(one.question, **one.arguments) for one in read.queries}
     assert found["saddle_node_onset"].a_SN == mount.saddle_node_onset().a_SN
     assert found["peak at a = 0.5 m/s^2"] == mount.peak(0.5)
     assert found["spectrum"] == mount.spectrum(f=[2.2, 5.0, 25.0], a=[0.5, 2.0, 9.0])
@@ -273,7 +273,7 @@ def test_an_estimate_grows_with_what_is_asked(scene):
         scenes.read(scene(MOUNT.partition("f = [5.0]")[0] + f'f = {f}\nquestions = ["amplitudes"]\n'))
         for f in ([5.0], [1.0, 2.0, 3.0, 4.0, 5.0])
     )
-    assert many.seconds(many.asked[0]) == 5 * few.seconds(few.asked[0])
+    assert many.seconds(many.queries[0]) == 5 * few.seconds(few.queries[0])
 
 
 @pytest.mark.parametrize("more", ["eta = 0.02", 'excitation = "base"', 'excitation = "unbalance"', "load = 12.4"])
@@ -512,7 +512,7 @@ def test_shock_is_peaks_by_durations_or_a_record(scene, tmp_path, capsys):
     assert run("run", path, "-o", tmp_path / "out", "--quiet", capsys=capsys) == (0, "", "")
     rows = {name: list(rows_of(tmp_path / "out" / f"{name}.csv")) for name in ("transient", "shock_spectrum")}
     mount = scenes.read(path).oscillator
-    assert [one.count() for one in scenes.read(path).asked if one.question == "shock_spectrum"] == [6]
+    assert [one.count() for one in scenes.read(path).queries if one.question == "shock_spectrum"] == [6]
     for one, row in zip(*rows.values(), strict=True):
         pulse = {"acceleration": float(one["acceleration/(m/s^2)"]), "duration": float(one["duration/ms"]) / 1e3}
         found = mount.transient(**pulse)

@@ -153,7 +153,7 @@ def test_a_refusal_names_what_is_allowed(name, answers):
 def test_numbers_have_units_and_what_is_known_of_their_error(answers):
     (one,) = answers["transmissibility"].structured_content["answers"]
     assert one["units"].items() >= {"f": "Hz", "A": "mm", "phi": "rad", "F": "N"}.items()
-    assert one["asked_in"] == {"F": "N", "f": "Hz"}
+    assert one["units_of_arguments"] == {"F": "N", "f": "Hz"}
     assert one["validity"]
     assert f"validity: {one['validity']}" in answers["transmissibility"].content[0].text
 

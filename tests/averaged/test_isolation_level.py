@@ -130,7 +130,7 @@ def test_many_designs_at_many_levels_are_those_of_each(excitation, laws):
     parameters["zeta"] = 10 ** rng.uniform(-2, 0, n)
     F_0, levels = 10 ** rng.uniform(-2, -0.5, n), np.array([[0.0], [-7.0], [-21.0], [-70.0]])
     many = Duffing.many(**parameters, **laws, excitation=excitation).isolation(F_0, level_dB=levels)
-    assert many.Omega.shape == (4, n) and many.asked["level_dB"] is levels
+    assert many.Omega.shape == (4, n) and many.arguments["level_dB"] is levels
     for row, level_dB in enumerate(levels[:, 0].tolist()):
         for k in range(n):
             one = Duffing(
@@ -227,10 +227,10 @@ def test_a_scene_asks_at_several_levels(tmp_path):
     path = tmp_path / "scene.toml"
     path.write_text(f'[mount]\n{numbers}\n[ask]\nF = [3, 5]\nlevel_dB = [0, -12]\nquestions = ["isolation"]\n')
     scene = scenes.read(path)
-    assert [str(one) for one in scene.asked][1] == "isolation at F = 3 N, level_dB = -12"
-    begins = [scene.answer(one).f for one in scene.asked]
+    assert [str(one) for one in scene.queries][1] == "isolation at F = 3 N, level_dB = -12"
+    begins = [scene.answer(one).f for one in scene.queries]
     assert begins[0] < begins[1] and begins[2] < begins[3]
-    assert scene.explain(scene.asked[1]) is not None
+    assert scene.explain(scene.queries[1]) is not None
     path.write_text(path.read_text().replace("[0, -12]", "3"))
     with pytest.raises(ValueError, match=r"scene.toml:12: level_dB = 3 is not allowed"):
         scenes.read(path)

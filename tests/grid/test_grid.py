@@ -185,7 +185,7 @@ def test_uncut_axes_are_cut_into_ordinary_blocks(tmp_path, monkeypatch):
 
 
 def test_a_question_pickles():
-    ask, values = over().asked("peak", 1, F_0=0.05)
+    ask, values = over()._query("peak", 1, F_0=0.05)
     numbers = [value.values for value in (values["lam"], values["r"][0], values["delta_h"][0, 0])]
     copy = pickle.loads(pickle.dumps(ask))
     assert copy(*numbers, 0.012, 0.02, 0.05) == ask(*numbers, 0.012, 0.02, 0.05)
@@ -324,7 +324,7 @@ def test_block_stopped_while_written_is_written_again(written, tmp_path, monkeyp
     path, put, puts = tmp_path / "map.zarr", zarr.Array.__setitem__, []
 
     def stopped(self, *args):
-        if "done" in self.name or self.name.strip("/") in over().asked("detachment", 1)[0].columns:
+        if "done" in self.name or self.name.strip("/") in over()._query("detachment", 1)[0].columns:
             if len(puts) == written:
                 raise KeyboardInterrupt
             puts.append(self.name)
@@ -485,7 +485,7 @@ def test_a_store_of_other_numbers_is_left_alone(change, named, tmp_path):
 
 def test_a_map_is_of_one_version(tmp_path, monkeypatch):
     over().store(tmp_path / "map.zarr", "detachment")
-    ask, values = over().asked("detachment", 1)
+    ask, values = over()._query("detachment", 1)
     monkeypatch.setattr("slowflow.grid.block.__version__", "0.0.0")
     with pytest.raises(ValueError, match=r"slowflow: .* there, 0\.0\.0 here"):
         over().store(tmp_path / "map.zarr", "detachment")

@@ -6,5 +6,5 @@ clones     the kernels' loops for one processor target each
 roots      the root solvers
 intervals  double-doubles, intervals, and what is generated on them
 records    records of mechanisms
-asked      a session with modules that are built for it
+instrumented  a session with modules that are built for it
 """

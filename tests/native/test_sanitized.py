@@ -52,7 +52,7 @@ def test_no_question_does_in_c_what_c_does_not_define(tmp_path):
     assert [build.wait() for build in builds] == [0, 0]
     # Matplotlib throws exceptions of C++, which the sanitizer of C does not know
     chosen = "-k", "test_there_is_an_answer and not pictures"
-    options = "-q", "-s", "-n0", "-p", "no:cacheprovider", "-p", "tests.native.asked", *chosen
+    options = "-q", "-s", "-n0", "-p", "no:cacheprovider", "-p", "tests.native.instrumented", *chosen
     done = subprocess.run(
         [sys.executable, "-m", "pytest", *options, "tests/oscillators/test_any_input.py"],
         cwd=ROOT,

@@ -318,7 +318,7 @@ def test_a_mount_that_carries_another_mass_is_answered(tmp_path):
     assert found.x_rms[0] == pytest.approx(0.080 * plain.u_rms[0], rel=1e-11)
     assert found.units["B"] == "m"
     one = scene(tmp_path, parameters={**MOUNT, "load": 12.5})
-    assert one.answer(one.asked[0]).B[0] == pytest.approx(1e3 * found.B[0], rel=1e-11)
+    assert one.answer(one.queries[0]).B[0] == pytest.approx(1e3 * found.B[0], rel=1e-11)
     assert "Random vibration" in report.html(one)
     assert "linearization" in str(mount.explain("random"))
 

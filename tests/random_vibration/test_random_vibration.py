@@ -507,14 +507,14 @@ def scene(tmp_path, kind="mount", parameters=MOUNT, frequency="f", unit='unit = 
 @pytest.mark.slow
 def test_a_scene_has_random_vibration_by_its_psd(tmp_path):
     one = scene(tmp_path)
-    (request,) = one.asked
+    (request,) = one.queries
     assert one.answer(request).x_rms[0] == pytest.approx(3.50161569, rel=1e-8)
     page = report.html(one)
     assert "Random vibration" in page
     assert "3.502" in page
     plain = scene(tmp_path, "isolator", {**DESIGN, "mu": 0.01, "zeta": 0.02}, "Omega", "")
     expected = Isolator(**DESIGN, mu=0.01, zeta=0.02).random(psd=([1.0, 5.0, 100.0], [1e-4, 1e-4, 2.5e-7]))
-    assert plain.answer(plain.asked[0]).u_rms[0] == expected.u_rms[0]
+    assert plain.answer(plain.queries[0]).u_rms[0] == expected.u_rms[0]
 
 
 @pytest.mark.parametrize(

@@ -19,7 +19,7 @@ import slowflow
 from slowflow.answers import files
 from slowflow.answers.answer import Answer, in_text
 from slowflow.app import costs, verdict
-from slowflow.app.scenes import QUESTIONS, Asked, Scene, read
+from slowflow.app.scenes import QUESTIONS, Query, Scene, read
 from slowflow.core import backend
 from slowflow.oscillators.isolator import ROD_SPRING
 from slowflow.support import progress
@@ -85,10 +85,10 @@ def run_scene(args: argparse.Namespace) -> int:
     scene = _read(args.scene)
     # before anything is computed: it refuses
     earlier = [] if args.out is None else files.written(args.out, [f"{question}.csv" for question in QUESTIONS])
-    answers: list[tuple[Asked, Answer]] = []
+    answers: list[tuple[Query, Answer]] = []
     failed = []
     with _progress(args.quiet):
-        for query in scene.asked:
+        for query in scene.queries:
             try:
                 with progress.named(str(query)):
                     answers.append((query, scene.answer(query)))
@@ -175,7 +175,7 @@ def check_scenes(args: argparse.Namespace) -> int:
             required = [one.name for one in scene.requirements]
             more = f"; to meet: {', '.join(required)}" if required else ""
             more += f"; free: {', '.join(scene.free)}" if scene.free else ""
-            print(f"{path}: {scene.oscillator}; to answer: {', '.join(map(str, scene.asked))}{more}")
+            print(f"{path}: {scene.oscillator}; to answer: {', '.join(map(str, scene.queries))}{more}")
     return 2 if wrong else 0
 
 
@@ -184,7 +184,7 @@ def explain_scene(args: argparse.Namespace) -> int:
     scene = _read(args.scene)
     print(scene.oscillator)
     total = 0.0
-    for query in scene.asked:
+    for query in scene.queries:
         print(query)
         try:
             plan = scene.explain(query)

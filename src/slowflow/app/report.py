@@ -23,7 +23,7 @@ from slowflow.answers.quantities import DATA_SHEET, SHEET, SHOWN, UNITS, in_show
 from slowflow.answers.results import Remark
 from slowflow.answers.table import COLUMNS, SHOCKS
 from slowflow.answers.validity import IN_PYTHON
-from slowflow.app.scenes import FORCINGS, Asked, Scene
+from slowflow.app.scenes import FORCINGS, Query, Scene
 from slowflow.app.verdict import in_words, verdict
 from slowflow.core.validate import NotAvailable
 from slowflow.oscillators.isolator import Isolator
@@ -95,7 +95,7 @@ def html(scene: Scene) -> str:
     if (
         not scene.forcings()
         and not scene.requirements
-        and not any(one.question in (*SHOCKS, "random") for one in scene.asked)
+        and not any(one.question in (*SHOCKS, "random") for one in scene.queries)
     ):
         raise Refused(f"{scene.path}: a report needs forcings in [ask], a shock, or a spectral density")
     report = Report(scene)
@@ -193,7 +193,7 @@ class Report:
         """Heads of columns of these numbers."""
         return [page.term(*self._called(name)[:2]) for name in names]
 
-    def _cases(self, question: str) -> list[Asked]:
+    def _cases(self, question: str) -> list[Query]:
         """What the scene asks by a question of shocks or spectra, or requires there."""
         return self.scene.of(question) or [one for one in self.scene.cases if one.question == question]
 

@@ -80,7 +80,7 @@ from slowflow.oscillators.measurements import read_csv
 from slowflow.oscillators.physical import Physical
 from slowflow.support.errors import Refused, SceneError
 
-__all__ = ["Asked", "Kind", "Scene", "from_tables", "read"]
+__all__ = ["Kind", "Query", "Scene", "from_tables", "read"]
 
 
 def _takes(question: str) -> frozenset[str]:
@@ -153,7 +153,7 @@ OF_A_PULSE = ("acceleration", "duration")
 
 
 @dataclass(frozen=True)
-class Asked:
+class Query:
     """One question of a scene, with forcing and frequencies by the names of the arguments.
 
     kinds -- for a mount, the kinds of unit of these: keys of `quantities.UNITS`
@@ -205,7 +205,7 @@ class Asked:
 
     def content(self, answer: Answer) -> dict[str, Any]:
         """Query and answer, as plain Python."""
-        what = {"question": self.question, "asked": dict(self.arguments), "asked_in": self.given_in()}
+        what = {"question": self.question, "arguments": dict(self.arguments), "units_of_arguments": self.given_in()}
         return {**what, **answer.to_dict()}
 
     def __str__(self) -> str:
@@ -223,7 +223,7 @@ class Scene:
     path, text -- its source
     content    -- the same as plain Python
     oscillator -- an `Isolator`, `Duffing` or, in physical units, `Physical`
-    asked      -- the questions, in order
+    queries    -- the questions with their arguments, in order
     warnings   -- implausible numbers
     requirements -- requirements at the forcings of [ask], `given_forcings`, and in shocks and spectra, `cases`
     free       -- parameters of the oscillator that may change to meet them, each with its range
@@ -234,15 +234,15 @@ class Scene:
     text: str
     content: Mapping[str, Any]
     oscillator: Isolator | Duffing | Physical
-    asked: tuple[Asked, ...]
+    queries: tuple[Query, ...]
     warnings: tuple[str, ...] = ()
     requirements: tuple[Requirement, ...] = ()
     given_forcings: tuple[float, ...] = ()
-    cases: tuple[Asked, ...] = ()
+    cases: tuple[Query, ...] = ()
     free: Mapping[str, tuple[float, float]] = field(default_factory=dict)
     answers: dict[Any, Any] = field(default_factory=dict, compare=False, repr=False)
 
-    def answer(self, query: Asked) -> Answer:
+    def answer(self, query: Query) -> Answer:
         """The answer to one of its questions, for a mount in N, mm and Hz; computed on first use."""
         return shown(self.ask(query.question, **query.arguments))
 
@@ -262,13 +262,13 @@ class Scene:
 
         return partial(tolerances, self.oscillator)
 
-    def explain(self, query: Asked) -> Plan | None:
+    def explain(self, query: Query) -> Plan | None:
         """The plan of a question; None for a formula, or a combination of other questions."""
         if query.question not in plan.QUESTIONS:
             return None
         return self.oscillator.explain(query.question, query.forcing)
 
-    def seconds(self, query: Asked) -> float:
+    def seconds(self, query: Query) -> float:
         """Estimated time, from measured times of such questions."""
         oscillator: Any = self.oscillator.oscillator if isinstance(self.oscillator, Physical) else self.oscillator
         plain, laws, load = costs.COSTS[query.cost]
@@ -278,12 +278,12 @@ class Scene:
 
     def forcings(self) -> list[float]:
         """The forcings of its questions and requirements, each once, in order."""
-        own = (one.forcing for one in self.asked if one.forcing is not None)
+        own = (one.forcing for one in self.queries if one.forcing is not None)
         return list(dict.fromkeys((*own, *self.given_forcings)))
 
-    def of(self, question: str) -> list[Asked]:
+    def of(self, question: str) -> list[Query]:
         """Return the queries of one question in this scene."""
-        return [query for query in self.asked if query.question == question]
+        return [query for query in self.queries if query.question == question]
 
     def of_design(self, design: Any) -> Scene:
         """The same scene with another oscillator."""
@@ -418,11 +418,11 @@ class _Reader:
         """Whether a base is given by its acceleration."""
         return any(isinstance(table := self.content.get(name), dict) and "a" in table for name in ("ask", "spectrum"))
 
-    def _case(self, name: str, kind: Kind) -> Iterator[Asked]:
+    def _case(self, name: str, kind: Kind) -> Iterator[Query]:
         """A load case of requirements beside forcings."""
         if name == "shock":
             return self._shocks("transient", kind)
-        return iter([Asked("random", self._psd("random", kind))])
+        return iter([Query("random", self._psd("random", kind))])
 
     def _required(self, kind: Kind) -> Iterator[Requirement]:
         """What must hold."""
@@ -465,7 +465,7 @@ class _Reader:
         below = si("below", value["below"], SI[kind_of(name)]) if kind.in_si else value["below"]
         return Requirement(name, validate.number("below", below, above=0.0), more)
 
-    def _queries(self, kind: Kind, ask: Mapping[str, Any]) -> Iterator[Asked]:
+    def _queries(self, kind: Kind, ask: Mapping[str, Any]) -> Iterator[Query]:
         """The questions with their arguments."""
         questions = self._list("ask", "questions", str) if "questions" in ask else []
         for name in questions:
@@ -475,15 +475,15 @@ class _Reader:
             if name == "tolerances":
                 yield from self._tolerances(name, kind)
             elif name == "spectrum":
-                yield Asked(name, self._spectrum(name, kind))
+                yield Query(name, self._spectrum(name, kind))
             elif name in SHOCKS:
                 yield from self._shocks(name, kind)
             elif name == "random":
-                yield Asked(name, self._psd(name, kind))
+                yield Query(name, self._psd(name, kind))
             else:
                 yield from self._plain(name, kind, ask)
 
-    def _plain(self, name: str, kind: Kind, ask: Mapping[str, Any]) -> Iterator[Asked]:
+    def _plain(self, name: str, kind: Kind, ask: Mapping[str, Any]) -> Iterator[Query]:
         """A question at what [ask] has of that which it takes."""
         takes = QUESTIONS[name]
         for key, symbol in ((kind.forcing, "F_0"), (kind.frequency, "Omega")):
@@ -498,7 +498,7 @@ class _Reader:
         levels: list[dict[str, Any]] = [{"level_dB": one} for one in decibels] or [{}]
         for forcing in self._positive(kind.forcing) if "F_0" in takes else [None]:
             for level in levels:
-                yield Asked(name, {**({} if forcing is None else {kind.forcing: forcing}), **arguments, **level})
+                yield Query(name, {**({} if forcing is None else {kind.forcing: forcing}), **arguments, **level})
 
     def _spectrum(self, question: str, kind: Kind) -> dict[str, Any]:
         """The pairs of a load spectrum."""
@@ -513,7 +513,7 @@ class _Reader:
             raise self._error("spectrum", names[1], message)
         return pairs
 
-    def _shocks(self, name: str, kind: Kind) -> Iterator[Asked]:
+    def _shocks(self, name: str, kind: Kind) -> Iterator[Query]:
         """The pulses of a shock: every pair of a peak and a duration, or a record."""
         table = self._table("shock", name)
         self._known("shock", table, (*OF_A_PULSE, kind.time))
@@ -523,15 +523,15 @@ class _Reader:
             if "duration" in table or len(samples["acceleration"]) != len(samples[kind.time]):
                 message = "must have one time for each sample of acceleration, and no duration"
                 raise self._error("shock", kind.time, message)
-            yield Asked(name, samples)
+            yield Query(name, samples)
             return
         self._complete("shock", table, OF_A_PULSE)
         peaks, durations = (self._positive(key, "shock") for key in OF_A_PULSE)
         if name == "shock_spectrum":
-            yield Asked(name, {"acceleration": [[peak] for peak in peaks], "duration": durations})
+            yield Query(name, {"acceleration": [[peak] for peak in peaks], "duration": durations})
             return
         for peak, duration in itertools.product(peaks, durations):
-            yield Asked(name, {"acceleration": peak, "duration": duration})
+            yield Query(name, {"acceleration": peak, "duration": duration})
 
     def _psd(self, question: str, kind: Kind) -> dict[str, Any]:
         """A spectral density, of a mount in a unit."""
@@ -544,7 +544,7 @@ class _Reader:
         allowed = tuple(DENSITIES)
         return {"psd": rows, "unit": self._tried("psd", table, lambda: validate.choice("unit", table["unit"], allowed))}
 
-    def _tolerances(self, name: str, kind: Kind) -> Iterator[Asked]:
+    def _tolerances(self, name: str, kind: Kind) -> Iterator[Query]:
         """Shares by which numbers may be off: at each forcing, then with each frequency, in the spectrum, in shocks."""
         # here, not above: it imports SciPy
         from slowflow.sizing.subject import AT_A_FREQUENCY, IN_A_SHOCK, IN_A_SPECTRUM
@@ -554,18 +554,18 @@ class _Reader:
         forcings = self._positive(kind.forcing) if kind.forcing in ask else []
         frequencies = self._positive(kind.frequency) if kind.frequency in ask else []
         for forcing in forcings:
-            yield Asked(name, {kind.forcing: forcing, **within})
+            yield Query(name, {kind.forcing: forcing, **within})
             for at in frequencies:
-                yield Asked(name, {kind.forcing: forcing, kind.frequency: at, **within, "answers": [*AT_A_FREQUENCY]})
+                yield Query(name, {kind.forcing: forcing, kind.frequency: at, **within, "answers": [*AT_A_FREQUENCY]})
         if spectrum:
             pairs = tuple(self._spectrum(name, kind).values())
-            yield Asked(name, {"spectrum": pairs, **within, "answers": [*IN_A_SPECTRUM]})
+            yield Query(name, {"spectrum": pairs, **within, "answers": [*IN_A_SPECTRUM]})
         if shock and kind.time not in shock:
             for one in self._shocks("transient", kind):
                 pulse = tuple(one.arguments[key] for key in OF_A_PULSE)
-                yield Asked(name, {"shock": pulse, **within, "answers": [*IN_A_SHOCK]})
+                yield Query(name, {"shock": pulse, **within, "answers": [*IN_A_SHOCK]})
         if not (forcings or spectrum or shock):
-            yield Asked(name, within)
+            yield Query(name, within)
 
     def _within(self, question: str, kind: Kind) -> dict[str, float]:
         """Shares of its numbers by which these may be off."""
@@ -679,7 +679,7 @@ class _Reader:
         return found
 
 
-def _implausible(of: Any, queries: Iterable[Asked]) -> Iterator[str]:
+def _implausible(of: Any, queries: Iterable[Query]) -> Iterator[str]:
     """Remarks on frequencies and durations of a mount that look as if they were in another unit."""
     if not isinstance(of, Physical):
         return

@@ -39,7 +39,7 @@ def answer(name: str, arguments: Mapping[str, Any]) -> tuple[str, dict[str, Any]
         content["ask"] = {**content.get("ask", {}), "questions": [name]}
     scene = scenes.from_tables(content)
     lines, found, failed = list(scene.warnings), [], []
-    for query in scene.asked:
+    for query in scene.queries:
         try:
             one = scene.answer(query)
         except SlowflowError as error:

@@ -42,7 +42,7 @@ class Batch(Answer, OfDesigns):
     """The answer to one question about many designs: its columns are attributes, each of the designs' shape.
 
     question, system -- the row of the table, and the system that answers it
-    asked            -- the arguments of the query, by name
+    arguments        -- the arguments of the query, by name
     remarks          -- flags of `slowflow.Remark`, as in a single answer; computed on first use
 
     Columns with an axis after those of the designs, of entries, points or rows, are filled with NaN and 0 after the
@@ -53,7 +53,7 @@ class Batch(Answer, OfDesigns):
 
     question: Question
     system: str
-    asked: Mapping[str, Any]
+    arguments: Mapping[str, Any]
     _values: Mapping[str, npt.NDArray[Any]]
     _designs: Any
     _extra: Mapping[str, Any]
@@ -76,14 +76,14 @@ class Batch(Answer, OfDesigns):
         row = QUESTIONS[question]
         values = {name: frozen(values[name]) for name in row.columns[system]}
         # a column precedes what is computed where there is none
-        self.__dict__.update(values, question=row, system=system, asked=MappingProxyType(dict(arguments)))
+        self.__dict__.update(values, question=row, system=system, arguments=MappingProxyType(dict(arguments)))
         self.__dict__.update(_values=MappingProxyType(values), _designs=designs, _extra=extra)
 
     def __setattr__(self, name: str, value: Any) -> None:
         raise AttributeError(f"answers are immutable: {name!r} cannot be set")
 
     def __reduce__(self) -> tuple[Any, ...]:
-        own = self.question.name, dict(self._values), self._designs, dict(self.asked), self.system
+        own = self.question.name, dict(self._values), self._designs, dict(self.arguments), self.system
         return partial(type(self), **self._extra), own
 
     def __getattr__(self, name: str) -> Any:
@@ -123,12 +123,14 @@ class Batch(Answer, OfDesigns):
 
         numbers = [name for name, value in self._values.items() if value.dtype == float]
         values = np.asarray(getattr(self, validate.choice("of", of, tuple(numbers))))
-        return pictures.design_map(ax, *spanned({**self._designs.values, **self._asked_at()}, x, y, of, values))
+        return pictures.design_map(ax, *spanned(self._inputs, x, y, of, values))
 
     # ---- tables
 
-    def _asked_at(self) -> dict[str, Any]:
-        return {name: np.asarray(value) for name, value in self.asked.items()}
+    @property
+    def _inputs(self) -> dict[str, Any]:
+        """The parameters of the designs and the arguments of the query, by name."""
+        return {**self._designs.values, **{name: np.asarray(value) for name, value in self.arguments.items()}}
 
     def columns(self) -> dict[str, Any]:
         """A row for each design, in the order of the flattened arrays: its parameters, then the numbers of the answer.
@@ -137,7 +139,7 @@ class Batch(Answer, OfDesigns):
         design;
         their folds are columns of `saddle_nodes`.
         """
-        return in_rows({**self._designs.values, **self._asked_at()}, self._values, self.inner)
+        return in_rows(self._inputs, self._values, self.inner)
 
     def to_xarray(self) -> Any:
         """Make a Dataset with dimensions "design_0" and so on; parameters, F_0 and Omega are coordinates.
@@ -145,8 +147,7 @@ class Batch(Answer, OfDesigns):
         Several entries of an answer are an additional dimension. All units are "1", dimensionless. Raises ImportError
         without xarray.
         """
-        numbers = {**self._designs.values, **self._asked_at()}
-        return in_dataset(numbers, self._values, self.inner, {}, {"mechanism": self._designs.mechanism.name})
+        return in_dataset(self._inputs, self._values, self.inner, {}, {"mechanism": self._designs.mechanism.name})
 
     def about(self) -> dict[str, Any]:
         """Return the mechanism, the shape of the designs, and where friction acts if not throughout."""
@@ -157,12 +158,12 @@ class Batch(Answer, OfDesigns):
 
     @property
     def _F_0(self) -> Any:
-        return self.asked.get("F_0", np.nan)
+        return self.arguments.get("F_0", np.nan)
 
     @property
     def _ratio(self) -> Any:
         """The transmissibility of the query."""
-        return 10.0 ** (np.asarray(self.asked.get("level_dB", 0.0), dtype=float) / 20.0)
+        return 10.0 ** (np.asarray(self.arguments.get("level_dB", 0.0), dtype=float) / 20.0)
 
     @property
     def _forcing(self) -> Floats:
@@ -173,7 +174,7 @@ class Batch(Answer, OfDesigns):
     def _frequency(self) -> Floats:
         """Of each state or point."""
         if self.question.name == "amplitudes":
-            return np.asarray(self.asked["Omega"], dtype=float)[..., np.newaxis]
+            return np.asarray(self.arguments["Omega"], dtype=float)[..., np.newaxis]
         return self.Omega
 
     @cached_property

@@ -194,7 +194,7 @@ def known_arguments(function: Callable[..., Any], named: Iterable[str], known: S
             raise WrongType(f"{called.removesuffix('.__init__')} has no argument {name!r}: it must be one of {allowed}")
 
 
-def asked_by_name(function: Callable[P, R]) -> Callable[P, R]:
+def with_known_arguments(function: Callable[P, R]) -> Callable[P, R]:
     """The same function, which says of an argument that it does not know which ones there are, and which is nearest."""
     known = [name for name in inspect.signature(function).parameters if name not in ("self", "cls")]
 

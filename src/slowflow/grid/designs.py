@@ -81,7 +81,7 @@ class Grid(Unchanging, ManyQuestions[Any]):
 
     def _ask(self, question: str, /, *, workers: int = 1, **arguments: Any) -> Any:
         """The answer to a question by its name, from what its method takes, as a Dataset."""
-        return self._answer(*self.asked(question, workers, **arguments))
+        return self._answer(*self._query(question, workers, **arguments))
 
     def store(self, path: Any, question: str, *, workers: int = 1, **arguments: Any) -> Any:
         """Write a question's answer into a Zarr store, block by block; an incomplete store is continued.
@@ -101,7 +101,7 @@ class Grid(Unchanging, ManyQuestions[Any]):
             optional(package, "store", "grid")
         from slowflow.grid.store import filled
 
-        ask, values = self.asked(question, workers, **arguments)
+        ask, values = self._query(question, workers, **arguments)
         must_travel(ask)
         nested = {dim for value in values.values() for dim, index in value.indexes.items() if index.nlevels > 1}
         if nested:
@@ -111,7 +111,7 @@ class Grid(Unchanging, ManyQuestions[Any]):
         axes = sizes(values)
         return filled(path, ask, self._about_map(ask), values, axes, blocks(values, axes))
 
-    def asked(self, question: str, workers: int = 1, **arguments: Any) -> tuple[Ask, dict[str, Any]]:
+    def _query(self, question: str, workers: int = 1, **arguments: Any) -> tuple[Ask, dict[str, Any]]:
         """Return a question as a function of a block's numbers, and all the numbers that it takes.
 
         arguments -- of the question, other than the designs, as its method takes them

@@ -55,7 +55,7 @@ def filled(
         path = os.path.abspath(path)  # means the same to every process; a store of Zarr, or an address, does as it is
     values = {name: value if _unread(value) else value.compute() for name, value in values.items()}
     identity = _identity(ask, about, values, sizes)
-    own = {"asked": json.dumps(identity), "blocks": json.dumps(blocks), "complete": 0}
+    own = {"query": json.dumps(identity), "blocks": json.dumps(blocks), "complete": 0}
     group = _begun(path, identity, {**about, **own})
     blocks = json.loads(group.attrs["blocks"])
     if DONE not in group:
@@ -159,7 +159,7 @@ def _begun(path: Any, identity: dict[str, Any], about: dict[str, Any]) -> Any:
         if folder is not None and folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
             raise FileExistsError(f"{path} exists and is not a Zarr store") from None
         return zarr.create_group(path, attributes=about)
-    begun = json.loads(group.attrs.get("asked", "{}"))
+    begun = json.loads(group.attrs.get("query", "{}"))
     if not begun:
         raise FileExistsError(f"{path} is a Zarr store, but not that of a map")
     other = sorted(name for name in begun | identity if begun.get(name) != identity.get(name))

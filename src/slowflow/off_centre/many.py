@@ -59,8 +59,7 @@ class OffCentreBatch(Batch):
         """
         if (names := NUMBERS.get(self.question.name)) is None:
             raise NotAvailable(NO_GRADIENT)
-        arguments = self._asked_at()
-        numbers = {**self._designs.values, **arguments}
+        arguments, numbers = self.arguments, self._inputs
         known = dict(zip(numbers, np.broadcast_arrays(*numbers.values()), strict=True))
         laws = WITH_MEAN if any(name in numbers for name in WITH_MEAN) else ()
         by = (*self._designs.mechanism.design_names, *(one.name for one in DAMPING), *laws, "load", *arguments)

@@ -106,7 +106,7 @@ class Isolator(Oscillator):
     gamma: float
     u_cr: float
 
-    @validate.asked_by_name
+    @validate.with_known_arguments
     def __init__(
         self,
         *,
@@ -148,7 +148,7 @@ class Isolator(Oscillator):
         return super().restoring_force(which)
 
     @classmethod
-    @validate.asked_by_name
+    @validate.with_known_arguments
     def physical(
         cls,
         *,
@@ -260,7 +260,7 @@ class Isolator(Oscillator):
     _of_sheet = staticmethod(_of_rods)
 
     @classmethod
-    @validate.asked_by_name
+    @validate.with_known_arguments
     def many(  # type: ignore[override]
         cls,
         *,
@@ -305,7 +305,7 @@ class Duffing(Oscillator):
     alpha: float
     beta: float
 
-    @validate.asked_by_name
+    @validate.with_known_arguments
     def __init__(
         self,
         alpha: float,
@@ -327,7 +327,7 @@ class Duffing(Oscillator):
         del self.given["mechanism"]
 
     @classmethod
-    @validate.asked_by_name
+    @validate.with_known_arguments
     def physical(
         cls,
         *,
@@ -380,7 +380,7 @@ class Duffing(Oscillator):
     _of_sheet = staticmethod(_of_cubic)
 
     @classmethod
-    @validate.asked_by_name
+    @validate.with_known_arguments
     def many(  # type: ignore[override]
         cls,
         alpha: Any,

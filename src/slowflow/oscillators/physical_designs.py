@@ -35,7 +35,7 @@ if TYPE_CHECKING:
     from slowflow.answers.physical_answers import Amplitude, Many, Number, Numbers, Window
     from slowflow.oscillators.measurements import Columns
 
-    # the questions as a type checker knows them: `_asked` makes them of the table, which refuses further options
+    # the questions as a type checker knows them: `_question` makes them of the table, which refuses further options
     class OfMounts(Protocol):
         def __call__(self, *, max_count: int = 3, workers: int = 1) -> ManyQuantities: ...
 
@@ -148,7 +148,7 @@ class ManyQuantities(Quantities, Many):
     def _units(self) -> dict[str, str]:
         """Of the columns, the data and the arguments."""
         assert self.scales is not None
-        of_arguments = {self._shown(name): SI.get(self.scales.kind(name)[1], "") for name in self.answer.asked}
+        of_arguments = {self._shown(name): SI.get(self.scales.kind(name)[1], "") for name in self.answer.arguments}
         found = {name: SHEET.get(name, "") for name in self.numbers} | of_arguments
         return {name: unit for name, unit in (found | dict(self.units)).items() if unit}
 
@@ -344,7 +344,7 @@ class PhysicalDesigns(TakesAmplitude, Unchanging):
                 columns.setdefault(name, np.empty((*shape, *column.shape[1:]), column.dtype))[at] = column
         remarks, designs = columns.pop("remarks"), getattr(self.designs, "first", self.designs)
         plain = {PLAIN.get(name, name): self._plain(row, name, arguments, self.scales) for name in own}
-        plain = {name: plain[name] for name in found.asked}
+        plain = {name: plain[name] for name in found.arguments}
         answer: Batch = type(found)(row.name, columns, designs, plain, found.system, remarks=remarks)
         return answer
 
@@ -359,7 +359,7 @@ class PhysicalDesigns(TakesAmplitude, Unchanging):
                 values[shown], units[shown] = frozen(column * sizes[kind]), SI[kind]
         lift: Any = (..., np.newaxis) if "row" in inner.values() else ...
         numbers = {name: value[lift] for name, value in self.values.items()}
-        for name in answer.asked:
+        for name in answer.arguments:
             shown = scales.symbol(name)
             of_mounts = "F_0" if name == "F_0" else shown
             numbers[shown] = self._in_si(of_mounts, arguments[of_mounts])
@@ -379,7 +379,7 @@ def _is_of_all(row: Question, name: str) -> bool:
     return plain in row.options and (plain == "psd" or (plain in QUANTITIES and QUANTITIES[plain].kind != ""))
 
 
-def _asked(name: str) -> Callable[..., Any]:
+def _question(name: str) -> Callable[..., Any]:
     """The method of a question: that about dimensionless designs, with the names of arguments that a mount has."""
     of_designs = getattr(ManyQuestions, name)
     first, *others = inspect.signature(of_designs).parameters.values()
@@ -417,4 +417,4 @@ def _asked(name: str) -> Callable[..., Any]:
 
 
 for _name in QUESTIONS:
-    setattr(PhysicalDesigns, _name, _asked(_name))
+    setattr(PhysicalDesigns, _name, _question(_name))
