@@ -38,13 +38,19 @@ REQUESTS = {
         "searched": f"{_ON_INTERVALS} {_STATES}",
         "paired": "friction",
         "unlooped": "held",
-        "solvers": "fold_moves fold_square peak_Omega_A cusp_balance isola_level isola_hessian tail",
+        "solvers": """fold_moves fold_square peak_Omega_A cusp_balance isola_level isola_hessian tail rest isola_Omega
+            isola cusp_R peak least_restoring most_restoring level_rise cusp_bend isola_bend""",
         "cells": f"{_STATES} fold_least",
         "settled": " ".join(f"{kind}_step" for kind in EQUATIONS),
     },
-    "slow_flow_mu0": {"enclosed": "isola", "searched": "isola F_Omega_reduced", "cells": "F_Omega_reduced"},
+    "slow_flow_mu0": {
+        "solvers": "fold isola",
+        "enclosed": "isola",
+        "searched": "isola F_Omega_reduced",
+        "cells": "F_Omega_reduced",
+    },
     "slow_flow_zeta0": {
-        "solvers": "undamped_level",
+        "solvers": "undamped undamped_level undamped_Omega undamped_rises",
         "enclosed": "fold undamped_Omega",
         "searched": "fold undamped_Omega undamped_rises F_Omega_reduced",
         "cells": "F_Omega_reduced",
@@ -53,16 +59,16 @@ REQUESTS = {
         "enclosed": "terms peak isola isola_apart",
         "unlooped": "amplitude moves_from",
         "solvers": """terms hessian fold_force fold_level fold_slopes force_slopes level_slope least_Omega_A peak_share
-            Omega_of_share isola_apart""",
+            Omega_of_share isola_apart peak isola cusp_bend bound least share""",
     },
-    "second_approximation": {"solvers": "detachment_by_inertia"},
+    "second_approximation": {"solvers": "detachment_by_inertia folds"},
     "dissipation": {
         "generic": "*",
         "solvers": f"""restoring viscous_moves far response_polynomial fold_polynomial structural_bound quadratic_bound
             least_scaled R_of_peak F_A_halved Omega_A Omega_A_by_inertia released_moves F_AOmegaOmega
-            cusp_bend_by_inertia isola_bend_by_inertia {_SYSTEMS}""",
-        "in_c": """quadratic cubic at_rest rest_moves released viscous I I_A F F_A F_AA far_by_inertia static
-            limit_envelope F_OmegaOmega full_by_inertia cusp_bend isola_bend""",
+            cusp_bend_by_inertia isola_bend_by_inertia F_OmegaOmega cusp_bend isola_bend static {_SYSTEMS}""",
+        "in_c": """quadratic cubic at_rest rest_moves released viscous I I_A F F_A F_AA far_by_inertia limit_envelope
+            full_by_inertia""",
         "enclosed": f"""at_rest released viscous I I_A far R_of_response R_of_peak R_where_stationary far_by_inertia
             F_A_scaled I_scaled static turn_share {_SYSTEMS}""",
         "cells": """rest_intercept released_intercept sine_intercept sine_intercept_far I_AA I_AA_far R_of_peak_by_rest
@@ -76,8 +82,8 @@ REQUESTS = {
     },
     "linearization": {
         "generic": "*",
-        "solvers": "steepest",
-        "in_c": "over_displacements equivalent_damping damping_force response resonance",
+        "solvers": "steepest resonance",
+        "in_c": "over_displacements equivalent_damping damping_force response",
     },
     "sensitivities": {"generic": "*", "solvers": "of_state by_force by_inertia"},
     "sampled": {

@@ -10,7 +10,7 @@
 
 /* name, number of arguments and, where there are several, of results */
 #define KERNELS(NUMBER, NUMBERS, of) \
-    NUMBERS(of, steepest, 1, 3)
+    NUMBERS(of, steepest, 1, 3) NUMBERS(of, resonance, 9, 6)
 
 KERNELS(SF_NUMBER, SF_NUMBERS, linearization)
 

@@ -194,27 +194,6 @@ def F_Omega(Omega: Any, A: Any, I_0: Any, zeta: Any, d: Any, d_3: Any, h: Any) -
     return 2.0 * A * (I * (A * d * t2 + 3.0 * d_3 * t1 + t0) + R * t2)
 
 
-def F_OmegaOmega(Omega: Any, A: Any, I_0: Any, zeta: Any, d: Any, d_3: Any, h: Any) -> Any:
-    """d2F/dOmega2.
-
-    Equation (24). Domain: Omega > 0, A > 0. Operations: 35. Error / u (1 + kappa): measured 0.84.
-    """
-    Omega2 = Omega * Omega
-    t0 = A * Omega2
-    R = h + t0
-    t1 = 2.0 * zeta
-    t2 = A * Omega
-    A2 = A * A
-    t3 = A2 * Omega2
-    A3 = A * A2
-    Omega3 = Omega * Omega2
-    I = A3 * Omega3 * d_3 + I_0 + d * t3 + t1 * t2
-    t4 = 3.0 * d_3
-    t5 = 2.0 * A
-    t6 = Omega * d * t5 + t1 + t3 * t4
-    return t5 * (A * t6 * t6 + I * t5 * (d + t2 * t4) + 2.0 * R + 4.0 * t0)
-
-
 def F_AOmega(Omega: Any, A: Any, I_0: Any, I_0A: Any, zeta: Any, zeta_A: Any, d: Any, d_3: Any, h: Any, h_A: Any) -> Any:
     """d2F/dA dOmega.
 
@@ -241,95 +220,6 @@ def F_AOmega(Omega: Any, A: Any, I_0: Any, I_0A: Any, zeta: Any, zeta_A: Any, d:
     )
 
 
-def cusp_bend(Omega: Any, A: Any, I_0: Any, I_0A: Any, I_0AA: Any, I_0AAA: Any, zeta: Any, zeta_A: Any, zeta_AA: Any, zeta_AAA: Any, d: Any, d_3: Any, h: Any, h_A: Any, h_AA: Any, h_AAA: Any) -> Any:
-    """Positive at a cusp where the level has a minimum along the fold locus, negative at a maximum.
-
-    Equation from (24), (30). Domain: Omega > 0, A > 0. Operations: 98. Error / u (1 + kappa): measured 0.93.
-    """
-    Omega2 = Omega * Omega
-    t0 = A * Omega2
-    R = h + t0
-    t1 = 2.0 * zeta
-    t2 = Omega * t1
-    A2 = A * A
-    t3 = A2 * Omega2
-    Omega3 = Omega * Omega2
-    t4 = Omega3 * d_3
-    A3 = A * A2
-    I = A * t2 + A3 * t4 + I_0 + d * t3
-    t5 = 2.0 * Omega
-    t6 = t5 * zeta_AA
-    t7 = A * t5
-    t8 = Omega2 + h_A
-    t9 = t5 * zeta_A
-    t10 = A * t9 + 3.0 * A2 * t4 + I_0A + 2.0 * d * t0 + t2
-    t11 = 4.0 * Omega
-    t12 = t10 * t11
-    t13 = A * t10
-    t14 = Omega * d
-    t15 = 3.0 * d_3
-    t16 = t0 * t15 + t14 + zeta_A
-    F_AAA = (
-        2.0 * (I * I_0AAA + 6.0 * I * t4 + I * t6 + I * t7 * zeta_AAA + 2.0 * I_0AA * t10 + R * h_AAA + 3.0 * h_AA *
-        t8 + t10 * (A * t6 + I_0AA + t16 * t5 + t9) + t11 * zeta_AA * (I + t13) + t12 * t16 + t12 * zeta_A)
-    )
-    t17 = R * t5
-    t18 = 2.0 * A
-    t19 = t1 + t14 * t18 + t15 * t3
-    F_Omega = t18 * (I * t19 + t17)
-    F_AOmega = 2.0 * (I * (4.0 * A * t14 + 9.0 * d_3 * t3 + t1 + t18 * zeta_A) + t13 * t19 + t17 + t7 * t8)
-    return -F_AAA * F_AOmega * F_Omega / A
-
-
-def isola_bend(Omega: Any, A: Any, I_0: Any, I_0A: Any, I_0AA: Any, zeta: Any, zeta_A: Any, zeta_AA: Any, d: Any, d_3: Any, h: Any, h_A: Any, h_AA: Any) -> tuple[Any, Any]:
-    """At an isola point: negative at a saddle of F; and as `cusp_bend`.
-
-    Equation from (24), (30). Domain: Omega > 0, A > 0. Operations: 133. Error / u (1 + kappa): measured 0.71.
-    """
-    Omega2 = Omega * Omega
-    t0 = A * Omega2
-    R = h + t0
-    t1 = 2.0 * zeta
-    t2 = Omega * t1
-    A2 = A * A
-    t3 = A2 * Omega2
-    A3 = A * A2
-    Omega3 = Omega * Omega2
-    t4 = Omega3 * d_3
-    I = A * t2 + A3 * t4 + I_0 + d * t3
-    t5 = R * h_AA
-    t6 = Omega * zeta_A
-    t7 = Omega * d
-    t8 = 3.0 * d_3
-    t9 = 2.0 * Omega
-    t10 = 2.0 * A
-    t11 = Omega * t10
-    t12 = t11 * zeta_AA
-    t13 = Omega2 + h_A
-    t14 = 2.0 * d
-    t15 = 3.0 * A2
-    t16 = I_0A + t0 * t14 + t10 * t6 + t15 * t4 + t2
-    t17 = t13 * t13 + t16 * t16
-    F_AA = 2.0 * (I * I_0AA + I * t12 + 2.0 * I * t6 + I * t9 * (t0 * t8 + t7 + zeta_A) + t17 + t5)
-    t18 = A * t1 + 2.0 * A2 * t7 + A3 * Omega2 * t8
-    G_AOmega = t11 * t13 + t16 * t18
-    G_OmegaOmega = t18 * t18 + 4.0 * t3
-    S_AA = I * (6.0 * A * t4 + I_0AA + Omega2 * t14 + t12 + 4.0 * t6) + t5
-    S_AOmega = I * (4.0 * A * t7 + 9.0 * d_3 * t3 + t1 + t10 * zeta_A) + R * t9
-    S_OmegaOmega = I * (A2 * t14 + 6.0 * A3 * Omega * d_3) + R * t10
-    t19 = 4.0 * S_OmegaOmega
-    Omega4 = Omega2 * Omega2
-    t20 = (
-        A * Omega3 * t14 + I_0A * t9 + Omega2 * t1 + Omega4 * d_3 * t15 - h_A * t1 - h_A * t10 * t7 - h_A * t3 * t8
-        + 4.0 * t0 * zeta_A
-    )
-    t21 = (
-        4.0 * A2 * t20 * t20 - 8.0 * G_AOmega * S_AOmega + 4.0 * G_OmegaOmega * S_AA + S_AA * t19 - 4.0 * S_AOmega *
-        S_AOmega + t17 * t19
-    )
-    return t21, F_AA * t21
-
-
 def stability(Omega: Any, A: Any, I_0: Any, I_0A: Any, zeta: Any, zeta_A: Any, d: Any, d_3: Any, h: Any, h_A: Any) -> Any:
     """4 Omega^2 det(jacobian) = F_A/(2 A); stable where positive.
 
@@ -346,16 +236,6 @@ def stability(Omega: Any, A: Any, I_0: Any, I_0A: Any, zeta: Any, zeta_A: Any, d
     A3 = A * A2
     I = A * t2 + A2 * Omega2 * d + A3 * t3 + I_0
     return (I * (A * t1 * zeta_A + 3.0 * A2 * t3 + I_0A + 2.0 * d * t0 + t2) + R * (Omega2 + h_A)) / A
-
-
-def static(F_0: Any, I_0: Any, I_0A: Any, h: Any, h_A: Any) -> tuple[Any, Any, Any, Any]:
-    """F at Omega = 0 by its halves h - c and h + c, c^2 = F_0^2 - I_0^2; and the slope of each.
-
-    Equation from (24). Domain: F_0 > I_0. Operations: 10. Error / u (1 + kappa): measured 0.71.
-    """
-    c = np.sqrt((F_0 - I_0) * (F_0 + I_0))
-    t0 = I_0 * I_0A / c
-    return -c + h, c + h, h_A + t0, h_A - t0
 
 
 def limit_envelope(Omega: Any, F_0: Any, m: Any, zeta: Any, eta: Any, d: Any) -> Any:
@@ -457,9 +337,13 @@ OF_SOLVERS = {
     "released_moves": "A m u_cr",
     "viscous_moves": "A",
     "far": "x A I_0 I_0A zeta zeta_A d h h_A",
+    "F_OmegaOmega": "Omega A I_0 zeta d d_3 h",
     "F_AOmegaOmega": "Omega A I_0 I_0A zeta zeta_A d d_3 h h_A",
     "Omega_A": "Omega A I_0 I_0A zeta zeta_A d d_3 h h_A",
     "Omega_A_by_inertia": "Omega A I_0 I_0A zeta zeta_A d d_3 h h_A",
+    "cusp_bend": "Omega A I_0 I_0A I_0AA I_0AAA zeta zeta_A zeta_AA zeta_AAA d d_3 h h_A h_AA h_AAA",
+    "isola_bend": "Omega A I_0 I_0A I_0AA zeta zeta_A zeta_AA d d_3 h h_A h_AA",
+    "static": "F_0 I_0 I_0A h h_A",
     "response_polynomial": "A I_0 zeta d d_3 h",
     "fold_polynomial": "A I_0 I_0A zeta zeta_A d d_3 h h_A",
     "F_A_halved": "R R_A I I_A",

@@ -26,7 +26,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from slowflow.support.backend import NATIVE, compiled, from_c
-from slowflow.support.broadcast import broadcast_outputs, floats
+from slowflow.support.broadcast import floats
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -117,56 +117,6 @@ def Omega_A(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: Ar
     return -2.0 * Omega * (2.0 * I * t1 + R * (h_A + t0)) / (-4.0 * I * (m + t2) - 4.0 * R * h)
 
 
-def least(fall: ArrayLike, linear: ArrayLike, rest: ArrayLike) -> Any:
-    """x = 1/Omega where the level of an amplitude is least, by its `terms`.
-
-    Equation from (24). Domain: fall > 0, linear >= 0, rest > 0. Operations: 8. Error / u (1 + kappa): measured 1.3.
-    """
-    fall, linear, rest = floats(fall, linear, rest)
-    return 8.0 * fall / (linear + np.sqrt(64.0 * fall * rest + linear * linear))
-
-
-def peak(x: ArrayLike, A: ArrayLike, F_0: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike, h_A: ArrayLike) -> tuple[Any, Any]:
-    """The least level of an amplitude less F_0, and its slope along A.
-
-    Equation from (24). Domain: x of `least`, h < 0. Operations: 19. Error / u (1 + kappa): measured 0.87.
-    """
-    x, A, F_0, m, zeta, h, h_A = floats(x, A, F_0, m, zeta, h, h_A)
-    t0 = A * zeta
-    t1 = m * x
-    drag = t0 + t1
-    share = drag / h
-    t2 = x * x
-    root = np.sqrt(share * share + t2)
-    return broadcast_outputs((x, A, F_0, m, zeta, h, h_A),
-        -F_0 + root * (2.0 * t0 + t1),
-        (-share * (h_A * t2 + 1.0) + 2.0 * t2 * zeta) / root,
-    )
-
-
-def isola(x: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike, h_A: ArrayLike, h_AA: ArrayLike) -> tuple[Any, Any]:
-    """Has the sign of F_A where an amplitude's level is least: zero at an isola point; its slope along A.
-
-    Equation from (24), (30). Domain: x of `least`, h < 0. Operations: 50. Error / u (1 + kappa): measured 1.2.
-    """
-    x, A, m, zeta, h, h_A, h_AA = floats(x, A, m, zeta, h, h_A, h_AA)
-    t0 = A * zeta
-    t1 = m * x
-    t2 = t0 + t1
-    t3 = x * x
-    t4 = h * t3
-    t5 = 2.0 * zeta
-    t6 = h_A * t3
-    t7 = t6 + 1.0
-    t8 = 8.0 * x
-    t9 = 4.0 * h
-    return broadcast_outputs((x, A, m, zeta, h, h_A, h_AA),
-        t2 * t7 - t4 * t5,
-        h_AA * t2 * t3 - t5 * t6 + t7 * zeta + (2.0 * h_A * t2 * x + m * t7 - t9 * x * zeta) * (16.0 * A * zeta *
-        zeta - h_A * (-4.0 * A - 8.0 * t4) + 12.0 * t1 * zeta + t9) / (-h * h * t8 - m * m * t8 - 12.0 * m * t0),
-    )
-
-
 def level_rise(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike, h_A: ArrayLike, h_AA: ArrayLike) -> Any:
     """Positive where the level rises with A along the fold locus, negative where it falls.
 
@@ -186,54 +136,6 @@ def level_rise(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h:
     )
 
 
-def cusp_bend(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike, h_A: ArrayLike, h_AA: ArrayLike, h_AAA: ArrayLike) -> Any:
-    """Positive at a cusp where the level has a minimum along the fold locus, negative at a maximum.
-
-    Equation from (24), (30). Domain: Omega > 0, A > 0. Operations: 30. Error / u (1 + kappa): measured 0.87.
-    """
-    Omega, A, m, zeta, h, h_A, h_AA, h_AAA = floats(Omega, A, m, zeta, h, h_A, h_AA, h_AAA)
-    t0 = Omega * Omega
-    R = A * t0 + h
-    t1 = A * Omega
-    t2 = t1 * zeta
-    I = m + 2.0 * t2
-    t3 = h_A + t0
-    return (
-        8.0 * (4.0 * I * (m + t2) + 4.0 * R * h) * (R * h_AAA + 3.0 * h_AA * t3) * (I * zeta + Omega * R + t1 * t3 +
-        2.0 * t1 * zeta * zeta)
-    )
-
-
-def bound(A: ArrayLike, F_0: ArrayLike, zeta: ArrayLike, h: ArrayLike, h_A: ArrayLike, h_AA: ArrayLike, h_AAA: ArrayLike, lost: ArrayLike) -> tuple[Any, Any, Any, Any]:
-    """Positive where no state has an amplitude A > F_0, if zeta^2 A <= lost |h|; three derivatives by A.
-
-    Equation from (24). Domain: A > 0, h < 0, lost <= 1/2. Operations: 20. Error / u (1 + kappa): proved 14.01,
-    14.01, 12.01, 10.01.
-    """
-    A, F_0, zeta, h, h_A, h_AA, h_AAA, lost = floats(A, F_0, zeta, h, h_A, h_AA, h_AAA, lost)
-    t0 = F_0 * F_0
-    t1 = zeta * zeta * (1.0 - lost)
-    t2 = 24.0 * t1
-    A2 = A * A
-    A3 = A * A2
-    return broadcast_outputs((A, F_0, zeta, h, h_A, h_AA, h_AAA, lost),
-        4.0 * A3 * t1 + h * t0,
-        12.0 * A2 * t1 + h_A * t0,
-        A * t2 + h_AA * t0,
-        h_AAA * t0 + t2,
-    )
-
-
-def share(A: ArrayLike, zeta: ArrayLike, h: ArrayLike) -> Any:
-    """What zeta^2 A is of |h|: `lost` of the `bound`.
-
-    Equation from (24). Domain: h < 0. Operations: 3. Error / u (1 + kappa): proved 0.61.
-    """
-    A, zeta, h = floats(A, zeta, h)
-    twice = zeta * zeta
-    return -A * twice / h
-
-
 if NATIVE is not None:
     globals().update(compiled(globals(), NATIVE.inertia()))
 #: what only the compiled solvers call, with its arguments; all else is said in generated/c/inertia.h
@@ -241,13 +143,19 @@ OF_SOLVERS = {
     "force_slopes": "Omega F_0",
     "level_slope": "Omega A m zeta h",
     "terms": "A m zeta h",
+    "least": "fall linear rest",
     "least_Omega_A": "x A m zeta h h_A",
+    "peak": "x A F_0 m zeta h h_A",
+    "isola": "x A m zeta h h_A h_AA",
     "isola_apart": "x A m zeta h k cubic",
     "fold_slopes": "Omega A m zeta k",
     "fold_force": "Omega A m zeta other",
     "fold_level": "Omega A m zeta other",
     "peak_share": "Omega A m zeta",
     "Omega_of_share": "A F_0 m zeta share",
+    "cusp_bend": "Omega A m zeta h h_A h_AA h_AAA",
     "hessian": "Omega A m zeta h h_A h_AA",
+    "bound": "A F_0 zeta h h_A h_AA h_AAA lost",
+    "share": "A zeta h",
 }
 globals().update(from_c("inertia", OF_SOLVERS))

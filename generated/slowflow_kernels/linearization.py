@@ -87,48 +87,6 @@ def response(Omega: Any, k: Any, c: Any) -> tuple[Any, Any, Any]:
     return Z, -k * t2 * t3, -t1 * t3
 
 
-def resonance(theta: Any, k: Any, c: Any, slope: Any, G: Any, E_re: Any, E_im: Any, D_re: Any, D_im: Any) -> tuple[Any, Any, Any, Any, Any, Any]:
-    """What a pole of 1/Z adds to I_0, its slopes by ln k and ln c, then to I_2 and its slopes.
-
-    Equation (3). Domain: 0 < theta < pi/2, k > 0, c > 0. Operations: 94.
-    """
-    t0 = theta * (slope - 1.0)
-    t1 = np.cos(t0)
-    t2 = np.sin(t0)
-    t3 = np.cos(theta)
-    t4 = 1.0 / t3
-    t5 = 0.5 * G * t4 / c
-    t6 = t5 / k
-    t7 = np.sin(theta)
-    t8 = t4 * t7
-    t9 = E_re * t8
-    t10 = 0.5 * t9
-    t11 = 0.5 * D_re
-    t12 = 1.0 / (t3 * t3)
-    t13 = t7 * t7
-    t14 = t12 * t13
-    t15 = E_im * t14
-    t16 = 0.5 * slope
-    t17 = E_re * t16
-    t18 = -0.5 * D_im - 0.5 * E_im * slope + t11 * t8 + 0.5 * t15 + t17 * t8
-    t19 = E_im * t8
-    t20 = 0.5 * t19
-    t21 = 0.5 * D_im * t8 + E_im * t16 * t8 - 0.5 * E_re * t14 + t11 + t17
-    t22 = D_re * t8 - E_im + slope * t9 + t15
-    t23 = D_im * t8 - E_re * t12 * t13 + E_re + slope * t19
-    t24 = theta * (slope + 1.0)
-    t25 = np.cos(t24)
-    t26 = np.sin(t24)
-    return (
-        t6 * (E_im * t1 + E_re * t2),
-        t6 * (t1 * (-E_im + t10 - t18) + t2 * (-E_re - t20 + t21)),
-        t6 * (t1 * (t22 - t9) + t2 * (t19 - t23)),
-        t5 * (E_im * t25 + E_re * t26),
-        t5 * (t25 * (-t10 - t18) + t26 * (t20 + t21)),
-        t5 * (t25 * (t22 + t9) + t26 * (-t19 - t23)),
-    )
-
-
 def energy_loss(W_1: Any, lost: Any, S_0: Any) -> Any:
     """Slope of P by the energy, from integrals over a cycle: under white noise u and v have the density exp(-P).
 
@@ -156,5 +114,6 @@ def crossings(end: Any, sigma_u: Any, sigma_v: Any) -> Any:
 #: what only the compiled solvers call, with its arguments; all else is said in generated/c/linearization.h
 OF_SOLVERS = {
     "steepest": "ratio",
+    "resonance": "theta k c slope G E_re E_im D_re D_im",
 }
 globals().update(from_c("linearization", OF_SOLVERS))

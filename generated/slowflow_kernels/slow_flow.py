@@ -328,26 +328,6 @@ def level(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: Arra
     return np.sqrt(I * I + R * R)
 
 
-def rest(F_0: ArrayLike, m: ArrayLike, h: ArrayLike, h_A: ArrayLike) -> tuple[Any, Any, Any]:
-    """F at Omega = 0 as a product: h - c, h + c, and the slope of both along A.
-
-    Equation from (24). Domain: F_0 >= m. Operations: 6. Error / u (1 + kappa): measured 1.2.
-    """
-    F_0, m, h, h_A = floats(F_0, m, h, h_A)
-    product = -(-F_0 + m) * (F_0 + m)
-    c = np.sqrt(product)
-    return broadcast_outputs((F_0, m, h, h_A), -c + h, c + h, h_A)
-
-
-def least_restoring(F_0: ArrayLike, m: ArrayLike) -> Any:
-    """The |h| of a state at Omega = 0, and the least |h - A h_A| of a fold.
-
-    Equation from (24), (30). Domain: F_0 >= m. Operations: 5. Error / u (1 + kappa): measured 1.1.
-    """
-    F_0, m = floats(F_0, m)
-    return np.sqrt(F_0 - m) * np.sqrt(F_0 + m)
-
-
 def intercept(A: ArrayLike, h: ArrayLike, h_A: ArrayLike, h_AA: ArrayLike) -> tuple[Any, Any]:
     """k = h - A h_A, where the tangent of h meets A = 0, and its slope along A.
 
@@ -355,17 +335,6 @@ def intercept(A: ArrayLike, h: ArrayLike, h_A: ArrayLike, h_AA: ArrayLike) -> tu
     """
     A, h, h_A, h_AA = floats(A, h, h_A, h_AA)
     return broadcast_outputs((A, h, h_A, h_AA), -A * h_A + h, -A * h_AA)
-
-
-def most_restoring(A: ArrayLike, F_0: ArrayLike, m: ArrayLike, zeta: ArrayLike) -> Any:
-    """The largest |h| of a state with this amplitude: F_0 + (A Omega)^2/A at the highest Omega.
-
-    Equation from (23). Domain: A > 0, F_0 >= m, zeta > 0. Operations: 6. Error / u (1 + kappa): measured 0.85.
-    """
-    A, F_0, m, zeta = floats(A, F_0, m, zeta)
-    c = -0.5 * (-F_0 + m) / zeta
-    fastest = c / A
-    return F_0 + c * fastest
 
 
 def fold(A: ArrayLike, F_0: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike, h_A: ArrayLike, k: ArrayLike, k_A: ArrayLike) -> tuple[Any, Any, Any]:
@@ -395,32 +364,6 @@ def fold(A: ArrayLike, F_0: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLi
     )
 
 
-def isola_Omega(h_A: ArrayLike) -> Any:
-    """Omega at an isola point.
-
-    Equation from (30), (34). Domain: h_A >= 0. Operations: 1. Error / u (1 + kappa): measured 0.67.
-    """
-    (h_A,) = floats(h_A)
-    return np.sqrt(h_A)
-
-
-def isola(A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike, h_A: ArrayLike, h_AA: ArrayLike) -> tuple[Any, Any]:
-    """Zero at an isola point: F_Omega/(4 A) at its Omega, for m = 0 without the factor Omega; slope along A.
-
-    Equation from (30), (34). Domain: A > 0, h_A > 0; for m = 0 any h_A. Operations: 18. Error / u (1 + kappa):
-    measured 1.7.
-    """
-    A, m, zeta, h, h_A, h_AA = floats(A, m, zeta, h, h_A, h_AA)
-    w = np.sqrt(h_A)
-    t0 = 2.0 * zeta * zeta
-    bracket = A * (h_A + t0) + h
-    bracket_A = A * h_AA + 2.0 * h_A + t0
-    return broadcast_outputs((A, m, zeta, h, h_A, h_AA),
-        bracket * w + m * zeta,
-        0.5 * bracket * h_AA / w + bracket_A * w,
-    )
-
-
 def cusps(A: ArrayLike, zeta: ArrayLike, h: ArrayLike, h_A: ArrayLike, h_AA: ArrayLike, k: ArrayLike) -> tuple[Any, Any, Any, Any, Any]:
     """F_AA/2 = T^2 + 2 a T + b = X^2 + 2 c X + d, T = dR/dA, X = Omega^2: a, b, c, d, and a^2 - b = c^2 - d.
 
@@ -438,15 +381,6 @@ def cusps(A: ArrayLike, zeta: ArrayLike, h: ArrayLike, h_A: ArrayLike, h_AA: Arr
         h * h_AA + h_A * h_A,
         half_e * half_e + t1,
     )
-
-
-def cusp_R(A: ArrayLike, zeta: ArrayLike, h_AA: ArrayLike, k: ArrayLike, X: ArrayLike, T: ArrayLike) -> tuple[Any, Any]:
-    """R where F_AA = 0 (`cusps`), in two forms: by its tangent, and from F_AA itself.
-
-    Equation from (33). Domain: A > 0, X >= 0. Operations: 8. Error / u (1 + kappa): proved 1.01, 1.81.
-    """
-    A, zeta, h_AA, k, X, T = floats(A, zeta, h_AA, k, X, T)
-    return broadcast_outputs((A, zeta, h_AA, k, X, T), A * T + k, (-T * T - 4.0 * X * zeta * zeta) / h_AA)
 
 
 def cusp(A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h_AA: ArrayLike, h_AAA: ArrayLike, k: ArrayLike, X: ArrayLike, T: ArrayLike, R: ArrayLike, root: ArrayLike) -> tuple[Any, Any, Any, Any]:
@@ -482,22 +416,6 @@ def turn(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h_AA: Ar
     return broadcast_outputs((Omega, A, m, zeta, h_AA, k),
         2.0 * I * Omega * zeta + t2 * t3 / A,
         4.0 * Omega * Omega * zeta * zeta + h_AA * t3 + t2 * t2 / (A * A),
-    )
-
-
-def peak(Omega: ArrayLike, A: ArrayLike, F_0: ArrayLike, m: ArrayLike, zeta: ArrayLike, h_A: ArrayLike) -> tuple[Any, Any]:
-    """F where F_Omega = 0: an extremum of F over Omega, and its slope along A.
-
-    Equation from (24), (34). Domain: Omega > 0, A > 0. Operations: 18. Error / u (1 + kappa): proved -, 3.67;
-    measured 1.1.
-    """
-    Omega, A, F_0, m, zeta, h_A = floats(Omega, A, F_0, m, zeta, h_A)
-    t0 = 2.0 * A
-    R = -t0 * zeta * zeta - m * zeta / Omega
-    I = Omega * t0 * zeta + m
-    return broadcast_outputs((Omega, A, F_0, m, zeta, h_A),
-        R * R + (-F_0 + I) * (F_0 + I),
-        -2.0 * R * (Omega * Omega - h_A),
     )
 
 
@@ -552,72 +470,25 @@ def Omega_A(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: Ar
     return -F_A / F_Omega
 
 
-def level_rise(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike, h_A: ArrayLike, h_AA: ArrayLike) -> Any:
-    """Positive where the level rises with A along the fold locus, negative where it falls.
-
-    Equation from (24), (30). Domain: Omega > 0, A > 0. Operations: 28. Error / u (1 + kappa): measured 1.3.
-    """
-    Omega, A, m, zeta, h, h_A, h_AA = floats(Omega, A, m, zeta, h, h_A, h_AA)
-    t0 = Omega * Omega
-    R = A * t0 + h
-    t1 = A * Omega
-    t2 = 2.0 * t1
-    I = m + t2 * zeta
-    t3 = h_A + t0
-    t4 = zeta * zeta
-    F_AA = 2.0 * (R * h_AA + 4.0 * t0 * t4 + t3 * t3)
-    t5 = I * zeta + Omega * R
-    F_Omega = 4.0 * A * t5
-    F_AOmega = 4.0 * (t1 * t3 + t2 * t4 + t5)
-    return -F_AA * F_AOmega * F_Omega
-
-
-def cusp_bend(Omega: ArrayLike, A: ArrayLike, zeta: ArrayLike, h_AA: ArrayLike, h_AAA: ArrayLike, T: ArrayLike) -> Any:
-    """Positive at a cusp where the level has a minimum along the fold locus, negative at a maximum; T = dR/dA.
-
-    Equation from (24), (30). Domain: Omega > 0, A > 0. Operations: 30. Error / u (1 + kappa): measured 0.97.
-    """
-    Omega, A, zeta, h_AA, h_AAA, T = floats(Omega, A, zeta, h_AA, h_AAA, T)
-    t0 = Omega * Omega
-    t1 = 4.0 * t0 * zeta * zeta
-    R = (-T * T - t1) / h_AA
-    F_AAA = 2.0 * (R * h_AAA + 3.0 * T * h_AA)
-    t2 = 2.0 * t0
-    t3 = 2.0 / Omega
-    F_Omega = A * R * t3 * (-T + t2)
-    F_AOmega = t3 * (A * T * t2 + A * t1 - R * T + R * t2)
-    return -F_AAA * F_AOmega * F_Omega / A
-
-
-def isola_bend(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h_AA: ArrayLike) -> Any:
-    """The same at an isola point.
-
-    Equation from (24), (30). Domain: Omega > 0, A > 0. Operations: 33. Error / u (1 + kappa): measured 1.
-    """
-    Omega, A, m, zeta, h_AA = floats(Omega, A, m, zeta, h_AA)
-    t0 = 2.0 * A
-    t1 = Omega * t0 * zeta + m
-    R = -t1 * zeta / Omega
-    Omega2 = Omega * Omega
-    t2 = 4.0 * zeta * zeta
-    Omega4 = Omega2 * Omega2
-    F_AA = 2.0 * (Omega2 * t2 + 4.0 * Omega4 + R * h_AA)
-    Omega3 = Omega * Omega2
-    Omega5 = Omega * Omega4
-    return (
-        8.0 * A * F_AA * t1 * zeta * (-Omega3 * h_AA * t0 - Omega3 * t2 - 4.0 * Omega5 + h_AA * m * zeta) / Omega2
-    )
-
-
 if NATIVE is not None:
     globals().update(compiled(globals(), NATIVE.slow_flow()))
 #: what only the compiled solvers call, with its arguments; all else is said in generated/c/slow_flow.h
 OF_SOLVERS = {
+    "rest": "F_0 m h h_A",
+    "least_restoring": "F_0 m",
+    "most_restoring": "A F_0 m zeta",
     "fold_square": "Omega A lacks",
     "fold_moves": "A k R",
+    "isola_Omega": "h_A",
     "isola_level": "Omega A m zeta",
+    "isola": "A m zeta h h_A h_AA",
+    "cusp_R": "A zeta h_AA k X T",
     "cusp_balance": "A m zeta h k X T",
+    "peak": "Omega A F_0 m zeta h_A",
     "peak_Omega_A": "Omega A m zeta h_A",
+    "level_rise": "Omega A m zeta h h_A h_AA",
+    "cusp_bend": "Omega A zeta h_AA h_AAA T",
+    "isola_bend": "Omega A m zeta h_AA",
     "isola_hessian": "Omega A m zeta h_AA",
     "tail": "Omega F_0 m",
 }

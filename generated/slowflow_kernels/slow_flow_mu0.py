@@ -21,13 +21,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
 from slowflow_kernels.slow_flow import (
     F_A, F_AA, F, F_AOmega, F_Omega, I, R, backbone, equivalent_damping, fold_quartic, isola_Omega, level,
     limit_envelope, peak_cubic, phase, stability,
 )
-from slowflow.support.backend import NATIVE, compiled
+from slowflow.support.backend import NATIVE, compiled, from_c
 from slowflow.support.broadcast import broadcast_outputs, floats, stacked
 
 if TYPE_CHECKING:
@@ -74,44 +72,11 @@ def detachment(A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike) -> Flo
     return stacked((A, m, zeta, h), -t0 * t2 * (h + t1), 4.0 * A * A * zeta4 + h * t2 - t0, 1.0)
 
 
-def fold(A: ArrayLike, F_0: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike, h_A: ArrayLike, k: ArrayLike, k_A: ArrayLike) -> tuple[Any, Any, Any]:
-    """Zero at a fold at F_0: R of (23) less the R of F = F_A = 0; its slope along A, and Omega.
-
-    Equation from (24), (30). Domain: A > 0, F_0 > m, k^2 >= F_0^2 - m^2. Operations: 39. Error / u (1 + kappa):
-    measured 1.4.
-    """
-    A, F_0, m, zeta, h, h_A, k, k_A = floats(A, F_0, m, zeta, h, h_A, k, k_A)
-    excess = F_0 * F_0
-    least = np.sqrt(excess)
-    t0 = 1.0 / k
-    t1 = least * t0
-    share = np.sqrt((1.0 - t1) * (t1 + 1.0))
-    t2 = excess / F_0
-    lag = share * t2
-    t3 = t0 * t2
-    t4 = 1.0 / (zeta * zeta)
-    t5 = 1.0 / A
-    t6 = t4 * t5
-    t7 = 0.25 * lag * lag
-    return broadcast_outputs((A, F_0, m, zeta, h, h_A, k, k_A),
-        -F_0 * t3 + h + t6 * t7,
-        F_0 * k_A * t2 * t2 * (F_0 / excess + 0.5 * t3 * t6) / (k * k) + h_A - t4 * t7 / (A * A),
-        0.5 * lag * t5 / zeta,
-    )
-
-
-def isola(A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike, h_A: ArrayLike, h_AA: ArrayLike) -> tuple[Any, Any]:
-    """Zero at an isola point: F_Omega/(4 A) at its Omega, for m = 0 without the factor Omega; slope along A.
-
-    Equation from (30), (34). Domain: A > 0, h_A > 0; for m = 0 any h_A. Operations: 9. Error / u (1 + kappa):
-    proved 2.34, 1.67.
-    """
-    A, m, zeta, h, h_A, h_AA = floats(A, m, zeta, h, h_A, h_AA)
-    t0 = 2.0 * zeta * zeta
-    bracket = A * (h_A + t0) + h
-    bracket_A = A * h_AA + 2.0 * h_A + t0
-    return broadcast_outputs((A, m, zeta, h, h_A, h_AA), bracket, bracket_A)
-
-
 if NATIVE is not None:
     globals().update(compiled(globals(), NATIVE.slow_flow_mu0()))
+#: what only the compiled solvers call, with its arguments; all else is said in generated/c/slow_flow_mu0.h
+OF_SOLVERS = {
+    "fold": "A F_0 m zeta h h_A k k_A",
+    "isola": "A m zeta h h_A h_AA",
+}
+globals().update(from_c("slow_flow_mu0", OF_SOLVERS))

@@ -66,15 +66,6 @@ def detachment(A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike) -> Flo
     return stacked((A, m, zeta, h), t0 * (t0 + t1), -2.0 * t0 - t1, 1.0)
 
 
-def undamped_Omega(h_A: ArrayLike) -> Any:
-    """Omega of the folds.
-
-    Equation from (30). Domain: h_A <= 0. Operations: 1. Error / u (1 + kappa): measured 0.67.
-    """
-    (h_A,) = floats(h_A)
-    return np.sqrt(-h_A)
-
-
 def fold(F_0: ArrayLike, m: ArrayLike, k: ArrayLike, k_A: ArrayLike) -> tuple[Any, Any]:
     """Zero at a fold at F_0, where h_A < 0: R^2 + I^2 - F_0^2 on the undamped folds, and its slope along A.
 
@@ -86,28 +77,13 @@ def fold(F_0: ArrayLike, m: ArrayLike, k: ArrayLike, k_A: ArrayLike) -> tuple[An
     return broadcast_outputs((F_0, m, k, k_A), (k - least) * (k + least), 2.0 * k * k_A)
 
 
-def undamped_rises(h_AA: ArrayLike, h_AAA: ArrayLike, k: ArrayLike) -> tuple[Any, Any]:
-    """The sign of the level's slope along A on the undamped folds; and, where that is 0, of the slope's own.
-
-    Equation from (24), (30). Domain: h_A <= 0. Operations: 2. Error / u (1 + kappa): proved 0.34, 0.34.
-    """
-    h_AA, h_AAA, k = floats(h_AA, h_AAA, k)
-    return broadcast_outputs((h_AA, h_AAA, k), -h_AA * k, -h_AAA * k)
-
-
-def undamped(A: ArrayLike, h: ArrayLike, h_A: ArrayLike, h_AA: ArrayLike, h_AAA: ArrayLike) -> tuple[Any, Any, Any, Any]:
-    """The factors of F_AA/2 at the folds, each with its slope along A: h_AA, R.
-
-    Equation from (30), (33). Domain: A > 0. Operations: 3. Error / u (1 + kappa): proved 0.0, 0.0, 1.01, 0.34.
-    """
-    A, h, h_A, h_AA, h_AAA = floats(A, h, h_A, h_AA, h_AAA)
-    return broadcast_outputs((A, h, h_A, h_AA, h_AAA), h_AA, h_AAA, -A * h_A + h, -A * h_AA)
-
-
 if NATIVE is not None:
     globals().update(compiled(globals(), NATIVE.slow_flow_zeta0()))
 #: what only the compiled solvers call, with its arguments; all else is said in generated/c/slow_flow_zeta0.h
 OF_SOLVERS = {
+    "undamped_Omega": "h_A",
     "undamped_level": "m k",
+    "undamped_rises": "h_AA h_AAA k",
+    "undamped": "A h h_A h_AA h_AAA",
 }
 globals().update(from_c("slow_flow_zeta0", OF_SOLVERS))
