@@ -218,22 +218,6 @@ def test_quotients_that_cancel_at_rest_keep_their_digits():
                 assert one.model.averaged(A)[0] == pytest.approx(float(-4 / mp.pi * average), rel=1e-15)
 
 
-@pytest.mark.parametrize("name", ["wave", *slow("septic", "soft_stop")])
-def test_folds_end_the_branches_of_the_curve(name):
-    """Each fold satisfies F = F_A = 0, and there are as many as the curve has turns."""
-    one = oscillator(name)
-    folds = one.saddle_nodes(0.3)
-    assert len(folds) >= 4
-    h, h_A, *_ = one.model.averaged(folds.A)
-    R, sine = folds.A * folds.Omega**2 + h, 2 * one.zeta * folds.A * folds.Omega + one.model.m
-    np.testing.assert_allclose(np.hypot(R, sine), 0.3, rtol=1e-12)
-    slope = R * (folds.Omega**2 + h_A) + 2 * one.zeta * folds.Omega * sine
-    np.testing.assert_allclose(slope[~folds.corner], 0, atol=1e-11)
-    curve = one.frequency_response(0.3)
-    turns = np.sum(np.diff(curve.stable.astype(int)) != 0)
-    assert turns == len(folds)
-
-
 @pytest.mark.slow
 def test_answers_at_all_depths_agree():
     """The second approximation lies between averaging and the motion by SciPy."""

@@ -13,6 +13,7 @@ from slowflow.answers.results import Remark
 from slowflow.core.validate import NotAvailable
 from slowflow.exact.motion import Forced, follow
 from slowflow_kernels.conventions import Status
+from tests.answers.test_agreement import snap
 from tests.off_centre.test_curved import PATCHED
 from tests.oracles import exact_reference
 from tests.oracles.by_time import mean_and_first
@@ -57,44 +58,16 @@ def test_odd_force_stated_as_asymmetric_has_the_same_answers():
     assert found.A == pytest.approx(centred.A, rel=1e-12) and np.abs(found.B).max() < 1e-12
 
 
-@pytest.fixture(scope="module")
-def snap():
-    """Odd, of three pieces, the second of negative stiffness: where it has folds about the centre is enclosed."""
-    first, second = sp.Rational(3, 10), sp.Rational(7, 10)
-    low = first - k * (second - first)
-    pieces = [(u, first), (first - k * (u - first), second), (low + 2 * (u - second), None)]
-    return derive.mechanism("snap", pieces, {"k": ABOVE})
-
-
 @pytest.mark.slow
-def test_odd_polynomial_by_enclosures_has_answers_under_a_load(snap):
+def test_odd_polynomial_by_enclosures_has_answers_under_a_load():
     """As where all five of its pieces are stated."""
     low = 0.3 - 0.4 * k
     pieces = [(2 * (u + 0.7) - low, -0.7), (-0.3 - k * (u + 0.3), -0.3), (u, 0.3), (0.3 - k * (u - 0.3), 0.7)]
     five = derive.mechanism("snap_of_five", [*pieces, (low + 2 * (u - 0.7), None)], {"k": ABOVE}, odd=False)
-    one, other = (of(k=0.5, zeta=0.05, load=0.02).amplitudes(Omega=[0.6, 0.9], F_0=0.12) for of in (snap, five))
+    loaded = snap(load=0.02), five(k=0.5, zeta=0.05, load=0.02)
+    one, other = (of.amplitudes(Omega=[0.6, 0.9], F_0=0.12) for of in loaded)
     assert (one.A + np.abs(one.B)).max() > 0.7 and one.A == pytest.approx(other.A, rel=1e-11)
     assert one.B == pytest.approx(other.B, rel=1e-11) and (one.stable == other.stable).all()
-
-
-@pytest.mark.slow
-def test_isolated_responses_off_the_centre_are_closed(snap):
-    """About the centre one is born at F_0 = 0.03771; next to it a small load leaves it, and those off the centre."""
-    oscillator, F_0 = snap(k=0.5, zeta=0.05, load=1e-3), 0.038
-    assert oscillator.replace(load=0.0).frequency_response(F_0).isola == (False, True)
-    found, folds = oscillator.frequency_response(F_0, Omega=(0.1, 1.5)), oscillator.saddle_nodes(F_0)
-    assert found.isola[0] is False and all(found.isola[1:]) and len(found.isola) > 1
-    on_curves = 0
-    for number, closed in enumerate(found.isola):
-        A, Omega = found.A[found.branch == number], found.Omega[found.branch == number]
-        assert ((A[0], Omega[0]) == (A[-1], Omega[-1])) == closed
-        turns = int((np.diff(np.sign(np.diff(np.append(Omega, Omega[1]) if closed else Omega))) != 0).sum())
-        assert turns >= 2 * closed
-        on_curves += turns
-    assert on_curves == len(folds)
-    for Omega in (0.45, 0.55, 0.7):
-        crossed = ((found.Omega[:-1] < Omega) != (found.Omega[1:] < Omega)) & (np.diff(found.branch) == 0)
-        assert crossed.sum() == len(oscillator.amplitudes(Omega=Omega, F_0=F_0))
 
 
 def test_mirrored_stop_has_mirrored_answers(stop):
@@ -162,23 +135,6 @@ def test_a_stop_is_reached_by_the_linear_motion_that_just_does(stop):
     assert found.Omega_cr == pytest.approx(np.sqrt(1 - 2 * 0.03**2), rel=1e-13)
     assert stop(k=8.0, g=-0.1, **DAMPED).detachment().message == ""
     assert "at rest the mass is already" in stop(k=8.0, g=0.1, load=0.3, **DAMPED).detachment().message
-
-
-@pytest.mark.slow
-def test_folds_and_onset_against_a_stop_bound_three_states(stop):
-    oscillator = stop(k=8.0, g=0.2, **DAMPED)
-    onset = oscillator.saddle_node_onset()
-    near = onset.Omega * np.linspace(0.99, 1.02, 61)
-    for ratio, most in ((0.995, 1), (1.02, 3)):
-        states = oscillator.amplitudes(Omega=near, F_0=ratio * onset.F_SN)
-        assert max((states.Omega == Omega).sum() for Omega in near) == most
-    folds = oscillator.saddle_nodes(0.03)
-    for fold in folds:
-        counts = [len(oscillator.amplitudes(Omega=fold.Omega * (1 + side), F_0=0.03)) for side in (-1e-6, 1e-6)]
-        assert sorted(counts) == [1, 3]
-    curve = oscillator.frequency_response(0.03, Omega=(0.5, 1.6))
-    assert curve.isola == (False,) and set(folds.A) <= set(curve.A)
-    assert (np.diff(curve.stable.astype(int)) != 0).sum() == 2 and curve.B.min() < -0.05
 
 
 def test_exact_motions_against_a_stop_are_integration_by_time(stop):

@@ -240,13 +240,6 @@ def test_jump_lands_on_the_stable_state_of_its_kind(values, multiple):
         assert (others > A).any() if kind == "jump-up" else (others < A).any()
 
 
-def test_curve_passes_its_folds_and_changes_stability_there():
-    curve, folds = isolator().frequency_response(0.04), isolator().saddle_nodes(0.04)
-    for Omega, A in zip(folds.Omega, folds.A, strict=True):
-        assert ((curve.Omega == Omega) & (curve.A == A)).any()
-    assert np.count_nonzero(np.diff(curve.stable)) == len(folds)
-
-
 @pytest.mark.parametrize("more", [{}, {"c_2": 0.1}, {"zeta": 0.02, "excitation": "base"}], ids=str)
 def test_a_fold_itself_is_one_state_and_not_stable(more):
     """To doubles; balls tell whether the double is above the fold's frequency or below, see test_states_by_balls."""
