@@ -277,7 +277,7 @@ class Designs(Unchanging, ManyQuestions[Batch]):
             self._insert_states_at_rest(at["Omega"], at["F_0"], ((A, 0.0), (stable, 1)), count, status)
         return self._batch(question, columns, extra, **at)
 
-    def by_doubles(self, question: str, *, max_count: int, **at: Any) -> Batch:
+    def _by_doubles(self, question: str, *, max_count: int, **at: Any) -> Batch:
         """Folds or states as `_ask` has them, without balls, and without those of a mass at rest."""
         columns = self.ask(BY_NAME[question], 1, max_count=max_count, **at)
         if question == "amplitudes":

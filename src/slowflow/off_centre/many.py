@@ -145,7 +145,7 @@ class OffCentreDesigns(many.Designs):
             one, points = partial(_curve, *window), options["samples"] + MORE_POINTS[OFFSET]
         return self._answered(Question(question, one, None, 1, OFFSET, points), arguments, workers, options)
 
-    def by_doubles(self, question: str, *, max_count: int, **at: Any) -> Batch:
+    def _by_doubles(self, question: str, *, max_count: int, **at: Any) -> Batch:
         """As any answer: no balls decide about offset motions."""
         return self._ask(question, max_count=max_count, **at)
 

@@ -477,7 +477,7 @@ def _jumps(subject: Subject, forcing: Any, up: Any, down: Any) -> _Measured:
     def of_designs(values: Mapping[str, Any]) -> Floats:
         """0 where a design does not jump."""
         designs, _, units = subject.designs(values)
-        folds = designs.by_doubles("saddle_nodes", max_count=MAX_COUNT, F_0=forces / units[subject.amplitude])
+        folds = designs._by_doubles("saddle_nodes", max_count=MAX_COUNT, F_0=forces / units[subject.amplitude])
         found = np.stack([first_jump(folds, True), first_jump(folds, False)], axis=-2)
         found = found * np.asarray(units["frequency"])[..., np.newaxis]
         return np.asarray(np.nan_to_num(found)[..., there])
@@ -519,7 +519,7 @@ def _nearest(
     """A or phi of the stable state of designs nearest to each measured one, 0 where there is none or the mass rests."""
     designs, _, units = subject.designs(values)
     Omega, F_0 = at / units["frequency"], forcing / units[subject.amplitude]
-    states = designs.by_doubles("amplitudes", max_count=MAX_COUNT, F_0=F_0, Omega=Omega)
+    states = designs._by_doubles("amplitudes", max_count=MAX_COUNT, F_0=F_0, Omega=Omega)
     if name == "A":
         there = states.A * np.asarray(units["length"])[..., np.newaxis]
     else:
