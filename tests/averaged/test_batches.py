@@ -247,35 +247,6 @@ def test_batch_onsets_at_weak_damping_are_those_of_each_alone():
 
 
 @pytest.mark.parametrize("force", ["truncated", "untruncated"])
-def test_detachment_of_a_block_is_that_of_each_alone(force):
-    """To the last bit, at a block's borders, next to rows that are invalid or never detach, and those that are solved
-    singly as their springs detach far out."""
-    rng = np.random.default_rng(23)
-    count = 200
-    numbers = {
-        "lam": 10 ** rng.uniform(-0.5, 1, count),
-        "delta_h": 10 ** rng.uniform(-6, -0.01, count),
-        "mu": np.where(rng.random(count) < 0.3, 0.0, rng.uniform(0, 0.03, count)),
-        "zeta": np.where(rng.random(count) < 0.2, 0.0, rng.uniform(0.004, 0.1, count)),
-    }
-    numbers["r"] = np.minimum(rng.uniform(0.2, 4, count), 0.95 / (numbers["lam"] * numbers["delta_h"]))
-    numbers["delta_h"][[0, 63, 130]] = 0.0
-    for name, row in [("mu", 1), ("lam", 64), ("zeta", 65), ("r", 131), ("mu", 199)]:
-        numbers[name][row] = -1.0
-    together = Isolator.many(**numbers, force=force).detachment()
-    assert np.isin(together.status, [Status.OK, Status.NONE, Status.INVALID]).all()
-    assert together.status[[1, 64, 65, 131, 199]].tolist() == [Status.INVALID] * 5
-    answered = np.flatnonzero(together.status == Status.OK)
-    assert answered.size > 0.9 * count and (together.u_cr[answered] > 0.7).any()
-    for k in answered:
-        single = Isolator(**{name: value[k] for name, value in numbers.items()}, force=force).detachment()
-        assert (single.F_cr, single.Omega_cr, single.u_cr) == (together.F_cr[k], together.Omega_cr[k], together.u_cr[k])
-    for start, end in [(0, 1), (2, 65), (2, 66), (2, 67), (3, 131)]:
-        part = Isolator.many(**{name: value[start:end] for name, value in numbers.items()}, force=force).detachment()
-        assert part.F_cr.tobytes() == together.F_cr[start:end].tobytes()
-
-
-@pytest.mark.parametrize("force", ["truncated", "untruncated"])
 def test_springs_that_never_touch_leave_a_linear_mount(force):
     """delta_h = 0 among others: closed forms, also where a rod with springs would stand vertical."""
     parameters = {"lam": 4, "r": 1.6, "mu": 0.0, "force": force}

@@ -50,6 +50,29 @@ def spoilt(draw, count):
     return designs
 
 
+def in_blocks(draw, count):
+    """Isolators more than a block of C has: next to its ends some that are invalid or never detach, others far out."""
+    designs = {"lam": 10 ** draw.uniform(-0.5, 1, count), "delta_h": 10 ** draw.uniform(-6, -0.01, count)}
+    designs["r"] = np.minimum(draw.uniform(0.2, 4, count), 0.95 / (designs["lam"] * designs["delta_h"]))
+    designs["mu"] = np.where(draw.random(count) < 0.3, 0.0, draw.uniform(0, 0.03, count))
+    designs["zeta"] = np.where(draw.random(count) < 0.2, 0.0, draw.uniform(0.004, 0.1, count))
+    designs["delta_h"][[0, 63, 130]] = 0.0
+    for name, row in (("mu", 1), ("lam", 64), ("zeta", 65), ("r", 131), ("mu", count - 1)):
+        designs[name][row] = -1.0
+    return designs
+
+
+def weakly_damped(of):
+    """So weakly, and forced so little, that a block leaves some to the search of one design."""
+
+    def drawn(draw, count):
+        designs = of(draw, count) | {"zeta": 10.0 ** draw.uniform(-5, 0, count)}
+        above = 4 / np.pi * designs["mu"] * (1 + 10.0 ** draw.uniform(-4, 1, count))
+        return designs | {"F_0": above + 10.0 ** draw.uniform(-5, 0, count)}
+
+    return drawn
+
+
 def with_laws(draw, count):
     """Every law of damping, some without viscous."""
     designs = duffings(draw, count)
@@ -119,6 +142,7 @@ class Kind(NamedTuple):
 #: asked of mechanisms that are derived here
 SOME = ("saddle_node_onset", "saddle_nodes", "amplitudes", "peak")
 PRELOADED = near({"c": 0.03, "k": 1.2})
+DETACHED = ("detachment", "saddle_node_onset")
 KINDS = {
     "isolators": Kind(Isolator, isolators),
     "isolators without viscous damping": Kind(Isolator, isolators, {"zeta": 0.0}),
@@ -126,6 +150,10 @@ KINDS = {
     "isolators of which some are none": Kind(Isolator, spoilt),
     "the same with an unbalance": Kind(Isolator, spoilt, {"excitation": "unbalance"}),
     "untruncated isolators": Kind(Isolator, isolators, {"force": "untruncated"}),
+    "isolators in blocks": Kind(Isolator, in_blocks, {}, DETACHED, 200),
+    "untruncated isolators in blocks": Kind(Isolator, in_blocks, {"force": "untruncated"}, DETACHED, 200),
+    "weakly damped isolators": Kind(Isolator, weakly_damped(isolators), {}, ("saddle_nodes",), 1500),
+    "weakly damped Duffing's": Kind(Duffing, weakly_damped(duffings), {}, ("saddle_nodes",), 1500),
     "rubbing isolators": Kind(Isolator, rubbing, {"contact": "attached"}, ALL, FEW),
     "rubbing isolators on a base": Kind(Isolator, rubbing, {"contact": "attached", "excitation": "base"}, count=FEW),
     "rubbing untruncated isolators": Kind(
@@ -157,7 +185,8 @@ def drawn(kind, seed=7):
     generator = np.random.default_rng(seed)
     designs = {name: value for name, value in draw(generator, count).items() if name not in same}
     make = derived(make) if isinstance(make, str) else make
-    return make, designs, same, 10.0 ** generator.uniform(-2, 0, count)
+    F_0 = 10.0 ** generator.uniform(-2, 0, count)
+    return make, designs, same, designs.pop("F_0", F_0)
 
 
 def of_single(answer, name, question):
@@ -290,6 +319,8 @@ def test_many_cross_folds_where_each_does(kind):
     assert found.crosses.any()
 
 
+#: of which some are none
+SPOILT = (spoilt, in_blocks)
 #: what moves with the numbers, and which of these are asked of mechanisms that are derived
 MOVING = (
     ("detachment", "saddle_node_onset", "saddle_nodes", "amplitudes", "peak", "isolation", "rest"),
@@ -299,7 +330,10 @@ MOVING = (
 
 @pytest.mark.parametrize(
     ("kind", "question"),
-    cases(lambda question, of: question in MOVING[isinstance(of.make, str)] and of.draw is not spoilt, ("Duffing's",)),
+    cases(
+        lambda question, of: question in MOVING[isinstance(of.make, str)] and of.draw not in (spoilt, in_blocks),
+        ("Duffing's",),
+    ),
 )
 def test_many_have_the_gradient_of_each_alone(kind, question):
     make, designs, same, F_0 = drawn(kind)
@@ -327,23 +361,3 @@ def test_many_have_the_gradient_of_each_alone(kind, question):
                 size_of = close * np.max(np.abs(np.nan_to_num(of_one)), initial=0.0) if near else 0.0
                 np.testing.assert_allclose(here, of_one, rtol=close, atol=size_of, err_msg=f"{question} {k}: {name}")
         assert size is None or (gradient.status[k, size:] == GradientStatus.NOTHING).all()
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("make", [Isolator, Duffing])
-def test_folds_of_many_have_every_bit_of_single_ones(make):
-    """Also next to where damping is so weak, or F_0 so small, that a block leaves them to the search of one design."""
-    draw, n = np.random.default_rng(31), 1500
-    designs = isolators(draw, n) if make is Isolator else duffings(draw, n)
-    designs["zeta"] = 10.0 ** draw.uniform(-5, 0, n)
-    F_0 = 4 / np.pi * designs["mu"] * (1 + 10.0 ** draw.uniform(-4, 1, n)) + 10.0 ** draw.uniform(-5, 0, n)
-    found = make.many(**designs).saddle_nodes(F_0)
-    for k in range(n):
-        one = make(**{name: float(value[k]) for name, value in designs.items()}).saddle_nodes(float(F_0[k]))
-        kinds_at = zip(one.kind, one.corner, strict=True)
-        kinds = [FoldKind[kind.upper().replace("-", "_") + "_AT_CORNER" * int(at)] for kind, at in kinds_at]
-        assert found.count[k] == len(one), k
-        np.testing.assert_array_equal(found.Omega[k, : len(one)], one.Omega)
-        np.testing.assert_array_equal(found.A[k, : len(one)], one.A)
-        assert found.kind[k, : len(one)].tolist() == kinds
-    assert np.all(np.bincount(found.count)[[0, 2]] > 100)

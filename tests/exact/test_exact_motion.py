@@ -29,7 +29,6 @@ from slowflow.example import TABLE_1
 from slowflow_kernels import den_hartog
 from tests.oracles import by_time, exact_linear, exact_reference
 from tests.oracles.exact_cases import isolator, random_cases, random_motions, table_1
-from tests.sampling import part
 
 CASES = random_cases(60, seed=6)  # a seed with up to six stops and subharmonics: see the first test
 
@@ -56,18 +55,6 @@ def test_random_isolators_come_back_after_their_period(states):
         end, A, stops = by_time.turns_of(case.by_hand, damping, case.Omega, case.F_0, (tau, u, v), turns)
         assert np.max(np.abs(np.subtract(end, (u, v)))) <= 1e-8 and abs(A - state.A) <= 1e-8, case
         assert stops == state.stops, case
-
-
-@pytest.mark.slow
-def test_random_isolators_by_scipy(states):
-    """SciPy's events find the same steady states to 1e-9, with the same switches."""
-    for state in part(states, 6):
-        other = exact_reference.again(state, exact_reference.ScipyIntegrator())
-        assert abs(other.A - state.A) <= 1e-9
-        assert np.max(np.abs(np.sort(np.abs(other.multipliers)) - np.sort(np.abs(state.multipliers)))) <= 1e-8
-        turned = other.unknowns - state.unknowns
-        turned[1] = math.remainder(turned[1], 2 * math.pi)
-        assert np.max(np.abs(turned)) <= 1e-9
 
 
 def test_own_functions_are_followed_by_their_polynomials():
@@ -374,22 +361,6 @@ def test_ever_faster_motion_is_given_up():
     stiff, drive = Duffing(1.0, 1e12).restoring_force().pieces[0], exact_reference.Drive(0.5, 0.1, 0.02, 0.0)
     with pytest.raises(ArithmeticError, match="the integration from theta = 0"):
         exact_reference.Compiled().advance(stiff, drive, 0.0, 1.0, 0.0, 3.0)
-
-
-def test_errors_in_words():
-    system = table_1(exact=False)
-    with pytest.raises(ValueError, match="Omega = -1"):
-        steady_state(system, Omega=-1, F_0=0.04)
-    with pytest.raises(ValueError, match="friction holds the mass, which never moves"):
-        steady_state(system, Omega=0.9, F_0=0.01)
-    with pytest.raises(ValueError, match=r"mu = -0\.1"):
-        EquationOfMotion(linear(), -0.1, 0.1)
-    with pytest.raises(ValueError, match="without any damping"):
-        steady_state(EquationOfMotion(linear(), 0.0, 0.0), Omega=0.9, F_0=0.04)
-    with pytest.raises(ValueError, match="breakpoints"):
-        Force(linear().pieces * 2, (-0.3,))
-    with pytest.raises(ValueError, match="guess"):
-        steady_state(system, (-0.1, 0.0), Omega=0.9, F_0=0.04)
 
 
 def of_duffing(alpha, beta, zeta, Omega, F_0, turns, state=(0.0, 0.0)):

@@ -11,6 +11,7 @@ from scipy.integrate import solve_ivp
 from scipy.optimize import root
 
 from slowflow import Duffing, Isolator, exact
+from slowflow.exact import EquationOfMotion, linear
 from slowflow.exact.motion import limited
 from slowflow.example import isolator
 from slowflow.support.errors import NotSettled
@@ -415,6 +416,37 @@ def test_refusals_name_parameter_value_and_range(question, message, oscillator):
         question(oscillator)
 
 
+#: of an equation of motion, of which these functions are asked directly
+REFUSED_OF_SYSTEMS = [
+    (lambda o: exact.steady_state(o, Omega=-1, F_0=0.04), "Omega = -1"),
+    (lambda o: exact.steady_state(o, Omega=0.9, F_0=0.01), "friction holds the mass, which never moves"),
+    (lambda o: exact.steady_state(o, (-0.1, 0.0), Omega=0.9, F_0=0.04), "guess"),
+    (lambda o: exact.exact_response(o, 0.04, Omega=(1.5, 0.5)), r"Omega = \(1.5, 0.5\)"),
+    (lambda o: exact.exact_response(o, 0.04, step=-1.0), "step"),
+    (lambda o: exact.exact_response(o, 0.012), "does not exceed mu"),
+    (lambda o: exact.sweep(o, Omega=[], F_0=0.04), "Omega must be a non-empty list"),
+    (lambda o: EquationOfMotion(linear(), -0.1, 0.1), r"mu = -0\.1"),
+    (lambda o: exact.steady_state(EquationOfMotion(linear(), 0.0, 0.0), Omega=0.9, F_0=0.04), "without any damping"),
+    (lambda o: exact.Force(linear().pieces * 2, (-0.3,)), "breakpoints"),
+]
+
+
+@pytest.mark.parametrize(("question", "message"), REFUSED_OF_SYSTEMS)
+def test_refusals_of_an_equation_of_motion_say_why(question, message):
+    with pytest.raises(ValueError, match=message):
+        question(isolator().equation_of_motion())
+
+
+@pytest.mark.parametrize(
+    ("forcing", "message"),
+    [({"F_0": 0.031}, "at F_0 = 0.031"), ({"F_0": 0.03, "Omega": (0.9, 1.2)}, "at F_0 = 0.03, Omega in")],
+)
+def test_a_curve_does_not_start_from_a_motion_of_another_forcing(forcing, message):
+    start = isolator().steady_state(Omega=0.8, F_0=0.03)
+    with pytest.raises(ValueError, match=f"start must be a steady state {message}"):
+        isolator().exact_response(start=start, **forcing)
+
+
 def test_no_damping_at_all_is_refused():
     with pytest.raises(ValueError, match="without any damping"):
         isolator(mu=0, zeta=0).steady_state(Omega=0.9, F_0=0.04)
@@ -469,28 +501,6 @@ def test_curve_goes_on_where_the_highest_place_passes_the_centre():
         assert found.A == pytest.approx(curve.A[k], rel=1e-9)
         highest.append(found.series()[1].max())
     assert highest[0] > 0 > highest[1] and curve.Omega[-1] == pytest.approx(1.55)
-
-
-def test_a_curve_does_not_start_from_a_motion_of_another_forcing():
-    iso = isolator()
-    start = iso.steady_state(Omega=0.8, F_0=0.03)
-    with pytest.raises(ValueError, match=r"start must be a steady state at F_0 = 0.031"):
-        iso.exact_response(0.031, start=start)
-    with pytest.raises(ValueError, match=r"start must be a steady state at F_0 = 0.03, Omega in"):
-        iso.exact_response(0.03, start=start, Omega=(0.9, 1.2))
-
-
-@pytest.mark.parametrize("upwards", [True, False])
-def test_a_sweep_jumps_on_its_way_past_the_fold(upwards):
-    """From the frequency before the fold at which its motion ends to the one beyond, in the order of the sweep."""
-    oscillator = Duffing(1.0, 0.5, 0.0, 0.05)
-    folds = [fold.Omega for fold in oscillator.exact_response(0.2, Omega=(0.7, 1.6)).folds]
-    Omega = np.linspace(0.8, 1.5, 15)
-    found = oscillator.sweep(F_0=0.2, Omega=Omega if upwards else Omega[::-1])
-    ((before, after),) = found.jumps
-    end = max(folds) if upwards else min(folds)
-    assert (before < end < after) if upwards else (before > end > after)
-    assert abs(after - before) == pytest.approx(Omega[1] - Omega[0])
 
 
 def test_a_sweep_begins_with_the_velocity_that_is_given():

@@ -6,8 +6,6 @@ import sys
 
 import numpy as np
 import pytest
-from hypothesis import Phase, given, settings
-from hypothesis import strategies as st
 
 from slowflow import Duffing, Isolator
 from slowflow.averaged import solvers
@@ -189,55 +187,6 @@ def test_undamped_folds_without_stiffness_begin_at_friction(make):
     folds = spring.saddle_nodes(m * (1 + 1e-9))
     beta = spring.model.parameters[1]
     assert folds.A[0] == pytest.approx(np.cbrt(2 / (3 * beta) * m * np.sqrt(2e-9)), rel=1e-3)
-
-
-def of_positive_stiffness(fraction, values):
-    """The preload as a fraction of the smallest one without stiffness, 1/(lam r), or of 0.93."""
-    return values | {"delta_h": 0.97 * fraction * min(1 / (values["lam"] * values["r"]), 0.93)}
-
-
-parameters = st.builds(
-    of_positive_stiffness,
-    st.floats(0.01, 1),
-    st.fixed_dictionaries(
-        {
-            "lam": st.floats(1, 4),
-            "r": st.floats(0.4, 4),
-            "mu": st.sampled_from([0.0, 0.003, 0.012, 0.03]),
-            "zeta": st.floats(0.004, 0.1),
-        }
-    ),
-)
-
-
-@pytest.mark.slow
-@settings(max_examples=25, deadline=None, phases=[Phase.generate])
-@given(parameters, st.floats(1.05, 8), st.floats(0.2, 1.9))
-def test_states_alternate_in_stability_and_their_number_is_odd(values, multiple, Omega):
-    oscillator = Isolator(**values)
-    F_0 = multiple * max(oscillator.sticking_forcing, 0.005)
-    states = oscillator.amplitudes(Omega=Omega, F_0=F_0)
-    assert states.A.size % 2 == 1
-    assert (states.stable == (np.arange(states.A.size) % 2 == 0)).all()
-    assert ((states.phi <= 0) & (states.phi >= -np.pi)).all()
-    assert (states.A <= oscillator.limit_envelope(Omega=states.Omega, F_0=F_0) * (1 + 1e-12)).all()
-
-
-@pytest.mark.slow
-@settings(max_examples=15, deadline=None, phases=[Phase.generate])
-@given(parameters, st.floats(1.05, 8))
-def test_jump_lands_on_the_stable_state_of_its_kind(values, multiple):
-    oscillator = Isolator(**values)
-    F_0 = multiple * max(oscillator.sticking_forcing, 0.005)
-    folds = oscillator.saddle_nodes(F_0)
-    for Omega, A, kind in zip(folds.Omega, folds.A, folds.kind, strict=True):
-        # the force jumps by little at u_cr: two folds next to it may be closer than this test resolves
-        if (np.abs(folds.Omega - Omega) < 1e-3).sum() > 1:
-            continue
-        states = oscillator.amplitudes(Omega=Omega, F_0=F_0)
-        # the fold itself, within the square root of a rounding
-        others = states.A[states.stable & (np.abs(states.A - A) > 1e-6 * A)]
-        assert (others > A).any() if kind == "jump-up" else (others < A).any()
 
 
 @pytest.mark.parametrize("more", [{}, {"c_2": 0.1}, {"zeta": 0.02, "excitation": "base"}], ids=str)

@@ -21,7 +21,7 @@ from slowflow.answers.table import COLUMNS
 from slowflow.averaged import checks
 from slowflow.oscillators.range_checks import Implausible
 from slowflow.sizing import fit, meet, tolerances
-from slowflow.support.errors import OutOfRange, SlowflowError
+from slowflow.support.errors import SlowflowError
 from slowflow.support.text import Sentence
 from slowflow_kernels.scaling import SCALES
 from tests.files import ROOT
@@ -292,10 +292,6 @@ def test_what_is_measured_is_in_physical_units(mount):
         assert np.array_equal(found.f, exact.Omega * f) and np.array_equal(found.A, exact.A * L)
         assert np.array_equal(found.error, exact.error)
     assert found.F == exact.F_0 * F and found.units["F"] == "N"
-    with pytest.raises(ValueError, match="only averaged answers can be compared"):
-        mount.sweep(f=[2.1], F=5).measure()
-    with pytest.raises(ValueError, match="friction = 0"):
-        mount.replace(friction=0.0, zeta=0.0).amplitudes(f=1.5, F=5).measure()
 
 
 def test_exact_answers_are_physical_too(mount):
@@ -306,11 +302,6 @@ def test_exact_answers_are_physical_too(mount):
     sweep = mount.sweep(f=[2.1, 2.2, 2.3], F=5)
     assert sweep.jumps == pytest.approx(np.array([[2.2, 2.3]])) and sweep.units["jumps"] == "Hz"
     assert np.array_equal(sweep.f, sweep.answer.Omega * f)
-
-
-def test_array_beyond_doubles_in_natural_units_is_refused(mount):
-    with pytest.raises(OutOfRange, match=r"duration = \[1\.7e\+308\] is too large"):
-        mount.shock_spectrum(acceleration=[1.0], duration=[1.7e308])
 
 
 def test_a_certificate_holds_its_parts_in_units(mount):
@@ -386,11 +377,6 @@ def test_what_is_not_allowed_is_refused_in_the_given_terms(mount, change, messag
     with pytest.raises(ValueError) as refused:
         mount.replace(**change)
     assert str(refused.value).startswith(message)
-
-
-def test_a_window_is_a_pair(mount):
-    with pytest.raises(ValueError, match="f must be a pair"):
-        mount.frequency_response(5, f=3)
 
 
 def test_units_have_the_sizes_of_their_prefixes():
@@ -516,13 +502,6 @@ def test_a_number_that_is_no_argument_is_said_with_the_nearest():
         Isolator.physical(**{**MOUNT, "prelod": 0.009})
     with pytest.raises(TypeError, match=r"Isolator has no argument 'zetta': .*\. Did you mean 'zeta'\?"):
         Isolator(lam=3, r=0.68, delta_h=0.1, zetta=0.02)
-    with pytest.raises(ValueError, match=r"Did you mean 'peak'\?"):
-        Isolator.physical(**MOUNT).explain("peek", 5)
-
-
-def test_a_load_that_is_refused_is_the_mass_that_was_given(mount):
-    with pytest.raises(ValueError, match=r"^load = 10 kg is not available with contact = "):
-        mount.replace(load=10, contact="attached")
 
 
 def test_force_is_of_the_geometry_unless_the_truncated_is_named(mount):
@@ -649,6 +628,22 @@ def test_numbers_in_messages_about_a_mount_are_those_given():
             "the motion escapes: |x| passes 8e+07 mm, the restoring force",
         ),
         (lambda mount: mount.exact_response(5, start=9.0), "start must be a result of steady_state"),
+        (lambda mount: mount.frequency_response(5, f=3), "f must be a pair"),
+        (
+            lambda mount: mount.shock_spectrum(acceleration=[1], duration=[1.7e308]),
+            "duration = [1.7e+308] is too",
+        ),
+        (lambda mount: mount.replace(load=10, contact="attached"), "load = 10 kg is not available with contact = "),
+        (
+            lambda mount: mount.replace(preload=9),
+            "preload = 9 is not allowed: preload must be",
+        ),
+        (lambda mount: mount.sweep(f=[2.1], F=5).measure(), "only averaged answers can be compared"),
+        (lambda mount: mount.replace(friction=0, zeta=0).amplitudes(f=1.5, F=5).measure(), "friction = 0"),
+        (lambda mount: mount.at_rest().gradient(), "only averaged answers"),
+        (lambda mount: mount.second_approximation.peak(5).gradient(), "only averaged answers"),
+        (lambda mount: mount.replace(preload=0.0).peak(5).gradient(), "without preload the springs never touch"),
+        (lambda mount: mount.explain("peek", 5), "Did you mean 'peak'?"),
         (lambda mount: mount.plot([]), "F = [] is not allowed: F must be at least one number > 0"),
         (
             lambda mount: mount.plot("5 mm"),
@@ -708,9 +703,10 @@ def test_gradients_of_cubic_springs_are_differences(springs, damping):
     assert assert_slopes_are_differences(Duffing.physical, sheet, {"": lambda mount: mount.peak(5.0)}, varied)
 
 
-def test_angles_are_shown_in_degrees_too(mount):
+def test_angles_are_shown_in_degrees_gradients_in_si_units(mount):
     states = mount.amplitudes(f=2.0, F=4.0)
     np.testing.assert_allclose(states.in_units("deg").phi, np.degrees(states.phi))
+    assert mount.peak(5).in_units().gradient()["A"].tolist() == mount.peak(5).gradient()["A"].tolist()
 
 
 def test_a_velocity_is_how_fast_the_displacement_moves(mount):
@@ -744,17 +740,6 @@ def test_gradients_of_a_loaded_mount_are_differences(ask, of):
     assert assert_slopes_are_differences(Isolator.physical, sheet, {"": ask}, {*sheet} - {"n"})
 
 
-def test_what_has_no_gradient_in_si_units_says_why(mount):
-    with pytest.raises(ValueError, match="only averaged answers"):
-        mount.at_rest().gradient()
-    with pytest.raises(ValueError, match="only averaged answers"):
-        mount.second_approximation.peak(5).gradient()
-    with pytest.raises(ValueError, match="without preload the springs never touch"):
-        mount.replace(preload=0.0).peak(5).gradient()
-    # SI units, whatever the answer is shown in
-    assert mount.peak(5).in_units().gradient()["A"].tolist() == mount.peak(5).gradient()["A"].tolist()
-
-
 #: slips of units: what is changed in the mount, and what is said of it
 SLIPS = {
     "L in mm": ({"L": 80, "preload": 9}, r"L = 80 m is a push-rod as long as a house: is it in mm\?"),
@@ -775,11 +760,6 @@ def test_a_slip_of_units_is_told_when_a_mount_is_made(slip, mount):
         with pytest.warns(Implausible, match=message) as warned:
             make()
         assert len(warned) == 1
-
-
-def test_preload_in_millimetres_is_no_design(mount):
-    with pytest.raises(ValueError, match=r"preload = 9 is not allowed: preload must be .* < 0.08"):
-        mount.replace(preload=9)
 
 
 def test_frequencies_in_rpm_and_shocks_in_ms_are_told(mount):
