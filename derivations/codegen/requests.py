@@ -65,12 +65,12 @@ REQUESTS = {
     "dissipation": {
         "generic": "*",
         "solvers": f"""restoring viscous_moves far response_polynomial fold_polynomial structural_bound quadratic_bound
-            least_scaled R_of_peak F_A_halved Omega_A Omega_A_by_inertia released_moves F_AOmegaOmega
-            cusp_bend_by_inertia isola_bend_by_inertia F_OmegaOmega cusp_bend isola_bend static {_SYSTEMS}""",
+            R_of_peak F_A_halved Omega_A Omega_A_by_inertia released_moves F_AOmegaOmega cusp_bend_by_inertia
+            isola_bend_by_inertia F_OmegaOmega cusp_bend isola_bend static {_SYSTEMS}""",
         "in_c": """quadratic cubic at_rest rest_moves released viscous I I_A F F_A F_AA far_by_inertia limit_envelope
             full_by_inertia""",
-        "enclosed": f"""at_rest released viscous I I_A far R_of_response R_of_peak R_where_stationary far_by_inertia
-            F_A_scaled I_scaled static turn_share {_SYSTEMS}""",
+        "enclosed": f"""at_rest released viscous I I_A far R_of_response R_of_peak R_where_stationary static
+            turn_share {_SYSTEMS}""",
         "cells": """rest_intercept released_intercept sine_intercept sine_intercept_far I_AA I_AA_far R_of_peak_by_rest
             velocity turn_terms""",
     },

@@ -32,7 +32,6 @@ from ..paper.averaging import DISPLACEMENT, VELOCITY, Averaged, cycle_integral
 from ..paper.averaging import H as averaged_force
 from ..paper.slow_flow import I, R, m, slope
 from ..symbols import F_0, A, Omega, c_2, c_3, eta, h, h_A, h_AA, h_AAA, mu, phi, psi, sigma, zeta, zeta_2
-from ..systems.along import k
 from ..systems.gradients import I_0AAp, I_0Ap, I_0p, d_3p, d_p, h_AAp, h_Ap, h_p, zeta_AAp, zeta_Ap, zeta_p
 from ..systems.slopes import DERIVATIVES, hessian
 
@@ -46,9 +45,8 @@ I_0, I_0A, I_0AA, I_0AAA = REST = sp.symbols("I_0 I_0A I_0AA I_0AAA", real=True)
 zeta_A, zeta_AA, zeta_AAA = sp.symbols("zeta_A zeta_AA zeta_AAA", nonnegative=True)
 VISCOUS = zeta, zeta_A, zeta_AA, zeta_AAA
 d, d_3 = sp.symbols("d d_3", nonnegative=True)
-#: dI/dA and dR/dA; h/A, I_0/A and I/A
+#: dI/dA and dR/dA
 I_A, R_A = sp.symbols("I_A R_A", real=True)
-h_over_A, I_0_over_A, I_over_A = sp.symbols("h_over_A I_0_over_A I_over_A", real=True)
 #: 1/Omega
 x = sp.Symbol("x", positive=True)
 #: what I_0 less A I_0A is
@@ -60,8 +58,8 @@ psi_0 = sp.Symbol("psi_0", positive=True)
 KNOWN = (A, F_0, *REST, *VISCOUS, d, d_3, h, h_A, h_AA, h_AAA)
 #: of arguments
 ORDER = (
-    *(Omega, x, A, F_0, m, *REST, I_0_over_A, level, *VISCOUS, zeta_2, eta, d, d_3, c_2, c_3, u_cr),
-    *(h_over_A, h, h_A, h_AA, h_AAA, steepest, R, R_A, I, I_over_A, I_A),
+    *(Omega, x, A, F_0, m, *REST, level, *VISCOUS, zeta_2, eta, d, d_3, c_2, c_3, u_cr),
+    *(h, h_A, h_AA, h_AAA, steepest, R, R_A, I, I_A),
 )
 #: the systems of the search, functions of (A, Omega) that vanish together, in words
 SEARCHED = {
@@ -286,11 +284,6 @@ def dissipation(averaged: Averaged, flow: Formulas, slopes: Formulas) -> Formula
     of.add("R_of_peak", Lets((), R_of_peak), "R where F_Omega = 0.", "from (24)", quadrant)
     text = "Where a level by inertia is stationary, x = 1/Omega: what is not negative, lower and higher R/Omega^2."
     of.add("R_where_stationary", _R_where_stationary(flow.R, lower, least.subs(d_3, 0)), text, "from (24)", quadrant)
-    scaled = sp.expand(value.subs(I_0, A * I_0_over_A) / A)
-    of.add("I_scaled", scaled, "I/A, by I_0/A.", "(23)", quadrant)
-    of.add("F_A_scaled", _F_A_scaled(halved, flow.R), "F_A/(2 A), by h/A and I/A.", "(30)", quadrant)
-    text = "Of what 4/A times the least F_A/2 is not below where |k| <= A^2 |h_AA|/2, friction throughout: 1, A^2."
-    of.add("least_scaled", _least_scaled(_least_F_A(halved), lower), text, "from (30)", "Omega >= 0")
 
     text = "F/Omega^4 at x = 1/Omega; and -Omega^3/4 dlevel^2/dOmega, less Omega times the third."
     of_level = _far_by_inertia(flow.R, lower, *(one.subs(whole).subs(d_3, 0) for one in (by_inertia, least)))
@@ -497,36 +490,6 @@ def _full(F: sp.Expr) -> sp.Expr:
     found = 2 * F_0**2 / (1 + sp.sqrt(1 + 4 * d**2 * F_0**2))
     claim("root `A^2` of this limit", leading.subs(X, found))
     return sp.sqrt(found)
-
-
-def _least_F_A(halved: sp.Expr) -> sp.Expr:
-    """R = k + A R_A: F_A/2 is least in R where its own slope by R vanishes."""
-    by_R = halved.subs(R_A, (R - k) / A)
-    if not sp.diff(by_R, R, 2).is_positive:
-        raise ArithmeticError(f"F_A/2 has no least value in R: {by_R}")
-    return sp.expand(4 * A * by_R.subs(R, sp.solve(sp.diff(by_R, R), R)[0]))
-
-
-def _F_A_scaled(halved: sp.Expr, value: sp.Expr) -> sp.Expr:
-    """F_A/(2 A) by what stays as A falls to 0."""
-    over, slope_of_R = sp.expand(value.subs(h, A * h_over_A) / A), by_A(value)
-    found = over * slope_of_R + I_over_A * I_A
-    claim(
-        "`F_A/(2 A)` in quantities bounded as `A` tends to 0",
-        found - halved.subs({R: A * over, R_A: slope_of_R, I: A * I_over_A}) / A,
-    )
-    return found
-
-
-def _least_scaled(least_F_A: sp.Expr, value: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
-    """Friction raises I by a number, the first power of A the whole, and a zeta that grows I_A: all are left out."""
-    without = value.subs(I_0, eta * A)
-    whole = least_F_A.subs({I: without, I_A: sp.diff(without, A), k: A**2 * h_AA / 2})
-    scaled = sp.Poly(sp.expand(whole / A**2), A)
-    constant, first, second = (scaled.coeff_monomial(A**power) for power in range(3))
-    if scaled.degree() != 2 or any(term.could_extract_minus_sign() for term in sp.Add.make_args(first)):
-        raise ArithmeticError(f"what F_A is not below as A falls to 0: {scaled}")
-    return sp.factor(constant), second
 
 
 def _coefficients(expression: sp.Expr) -> tuple[sp.Expr, ...]:

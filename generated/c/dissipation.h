@@ -446,17 +446,6 @@ SF_KERNEL double dissipation_R_of_peak(double Omega, double A, double zeta, doub
     return I_ * (-1.5 * A * A * Omega * d_3 - A * d - zeta / Omega);
 }
 
-/* Of what 4/A times the least F_A/2 is not below where |k| <= A^2 |h_AA|/2, friction throughout: 1, A^2.
-   Equation from (30). Domain: Omega >= 0. Operations: 13. Error / u (1 + kappa): proved -, 1.01; measured 0.78. */
-SF_KERNEL void dissipation_least_scaled(double Omega, double zeta, double eta, double d, double h_AA, double *out)
-{
-    const double t0 = 2.0 * Omega * zeta + eta;
-    const double Omega2 = Omega * Omega;
-    const double Omega4 = Omega2 * Omega2;
-    out[0] = 4.0 * t0 * t0;
-    out[1] = 8.0 * Omega4 * d * d - 0.25 * h_AA * h_AA;
-}
-
 /* F/Omega^4 at x = 1/Omega; and -Omega^3/4 dlevel^2/dOmega, less Omega times the third.
    Equation (24). Domain: x >= 0, A > 0. Operations: 34. Error / u (1 + kappa): proved -, -, 0.67; measured 1.2. */
 SF_KERNEL void dissipation_far_by_inertia(double x, double A, double F_0, double I_0, double zeta, double d, double h, double *out)

@@ -135,38 +135,6 @@ static inline void dissipation_intervals_R_where_stationary(sf_interval x, sf_in
     out[2] = t4;
 }
 
-/* I/A, by I_0/A. */
-static inline sf_interval dissipation_intervals_I_scaled(sf_interval Omega, sf_interval A, sf_interval I_0_over_A, sf_interval zeta, sf_interval d, sf_interval d_3)
-{
-    const sf_interval Omega2 = sfi_square(Omega);
-    const sf_interval Omega3 = sfi_mul(Omega, Omega2);
-    return sfi_add(sfi_add(sfi_add(sfi_mul(sfi_mul(sfi_square(A), Omega3), d_3), sfi_mul(sfi_mul(A, Omega2),
-        d)), I_0_over_A), sfi_times(2.0, sfi_mul(Omega, zeta)));
-}
-
-/* F_A/(2 A), by h/A and I/A. */
-static inline sf_interval dissipation_intervals_F_A_scaled(sf_interval Omega, sf_interval h_over_A, sf_interval h_A, sf_interval I_over_A, sf_interval I_A)
-{
-    const sf_interval t0 = sfi_square(Omega);
-    return sfi_add(sfi_mul(I_A, I_over_A), sfi_mul(sfi_add(h_A, t0), sfi_add(h_over_A, t0)));
-}
-
-/* F/Omega^4 at x = 1/Omega; and -Omega^3/4 dlevel^2/dOmega, less Omega times the third. */
-static inline void dissipation_intervals_far_by_inertia(sf_interval x, sf_interval A, sf_interval F_0, sf_interval I_0, sf_interval zeta, sf_interval d, sf_interval h, sf_interval *out)
-{
-    const sf_interval t0 = sfi_square(x);
-    const sf_interval A2 = sfi_square(A);
-    const sf_interval t1 = sfi_mul(A2, d);
-    const sf_interval t2 = sfi_mul(sfi_mul(A, x), zeta);
-    const sf_interval t3 = sfi_add(A, sfi_mul(h, t0));
-    const sf_interval t4 = sfi_add(sfi_add(sfi_mul(I_0, t0), t1), sfi_times(2.0, t2));
-    const sf_interval A3 = sfi_mul(A, A2);
-    out[0] = sfi_add(sfi_add(sfi_neg(sfi_square(F_0)), sfi_square(t3)), sfi_square(t4));
-    out[1] = sfi_add(sfi_add(sfi_add(sfi_add(sfi_mul(A, h), sfi_times(2.0, sfi_mul(A2, sfi_square(zeta)))),
-        sfi_mul(I_0, t1)), sfi_times(3.0, sfi_mul(I_0, t2))), sfi_mul(t0, sfi_add(sfi_square(I_0), sfi_square(h))));
-    out[2] = sfi_mul(sfi_mul(A3, d), zeta);
-}
-
 /* F and F_A/2; derivatives by A and by R of the first, then of the second. */
 static inline void dissipation_intervals_folds_by_R(sf_interval Omega, sf_interval A, sf_interval F_0, sf_interval I_0, sf_interval I_0A, sf_interval I_0AA, sf_interval I_0AAA, sf_interval zeta, sf_interval zeta_A, sf_interval zeta_AA, sf_interval zeta_AAA, sf_interval d, sf_interval d_3, sf_interval h, sf_interval h_A, sf_interval h_AA, sf_interval h_AAA, sf_interval R, sf_interval I_, sf_interval R_A, sf_interval I_A, sf_interval *out)
 {

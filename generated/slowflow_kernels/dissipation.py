@@ -32,15 +32,15 @@ import numpy as np
 from slowflow.support.backend import from_c
 
 __all__ = [
-    "F_A", "F_AA", "I_A", "F", "F_AOmega", "F_AOmegaOmega", "F_A_halved", "F_A_scaled", "F_Omega", "F_OmegaOmega",
-    "I", "I_scaled", "Omega_A", "Omega_A_by_inertia", "R_of_peak", "R_of_response", "R_where_stationary", "at_rest",
-    "cubic", "cusp_bend", "cusp_bend_by_inertia", "cusps_by_Omega", "cusps_by_R", "cusps_far_by_R",
-    "cusps_far_by_x", "far", "far_by_inertia", "fold_polynomial", "folds_by_Omega", "folds_by_R", "folds_far_by_R",
-    "folds_far_by_x", "full_by_inertia", "isola_bend", "isola_bend_by_inertia", "isolas_by_Omega", "isolas_by_R",
-    "isolas_far_by_R", "isolas_far_by_x", "least_scaled", "limit_envelope", "peaks_by_Omega", "peaks_by_R",
-    "peaks_far_by_R", "peaks_far_by_x", "quadratic", "quadratic_bound", "released", "released_moves",
-    "response_polynomial", "rest_moves", "restoring", "stability", "static", "structural_bound", "turn_share",
-    "turns_by_Omega", "turns_by_R", "viscous", "viscous_moves",
+    "F_A", "F_AA", "I_A", "F", "F_AOmega", "F_AOmegaOmega", "F_A_halved", "F_Omega", "F_OmegaOmega", "I", "Omega_A",
+    "Omega_A_by_inertia", "R_of_peak", "R_of_response", "R_where_stationary", "at_rest", "cubic", "cusp_bend",
+    "cusp_bend_by_inertia", "cusps_by_Omega", "cusps_by_R", "cusps_far_by_R", "cusps_far_by_x", "far",
+    "far_by_inertia", "fold_polynomial", "folds_by_Omega", "folds_by_R", "folds_far_by_R", "folds_far_by_x",
+    "full_by_inertia", "isola_bend", "isola_bend_by_inertia", "isolas_by_Omega", "isolas_by_R", "isolas_far_by_R",
+    "isolas_far_by_x", "limit_envelope", "peaks_by_Omega", "peaks_by_R", "peaks_far_by_R", "peaks_far_by_x",
+    "quadratic", "quadratic_bound", "released", "released_moves", "response_polynomial", "rest_moves", "restoring",
+    "stability", "static", "structural_bound", "turn_share", "turns_by_Omega", "turns_by_R", "viscous",
+    "viscous_moves",
 ]
 
 
@@ -286,25 +286,6 @@ def R_where_stationary(x: Any, A: Any, I_0: Any, zeta: Any, d: Any) -> tuple[Any
     return t3, t2 / t4, t4
 
 
-def I_scaled(Omega: Any, A: Any, I_0_over_A: Any, zeta: Any, d: Any, d_3: Any) -> Any:
-    """I/A, by I_0/A.
-
-    Equation (23). Domain: Omega >= 0, A > 0. Operations: 12. Error / u (1 + kappa): proved 6.01.
-    """
-    Omega2 = Omega * Omega
-    Omega3 = Omega * Omega2
-    return A * A * Omega3 * d_3 + A * Omega2 * d + I_0_over_A + 2.0 * Omega * zeta
-
-
-def F_A_scaled(Omega: Any, h_over_A: Any, h_A: Any, I_over_A: Any, I_A: Any) -> Any:
-    """F_A/(2 A), by h/A and I/A.
-
-    Equation (30). Domain: Omega >= 0, A > 0. Operations: 6. Error / u (1 + kappa): measured 0.95.
-    """
-    t0 = Omega * Omega
-    return I_A * I_over_A + (h_A + t0) * (h_over_A + t0)
-
-
 def far_by_inertia(x: Any, A: Any, F_0: Any, I_0: Any, zeta: Any, d: Any, h: Any) -> tuple[Any, Any, Any]:
     """F/Omega^4 at x = 1/Omega; and -Omega^3/4 dlevel^2/dOmega, less Omega times the third.
 
@@ -348,7 +329,6 @@ OF_SOLVERS = {
     "fold_polynomial": "A I_0 I_0A zeta zeta_A d d_3 h h_A",
     "F_A_halved": "R R_A I I_A",
     "R_of_peak": "Omega A zeta d d_3 I",
-    "least_scaled": "Omega zeta eta d h_AA",
     "cusp_bend_by_inertia": "Omega A I_0 I_0A I_0AA I_0AAA zeta zeta_A zeta_AA zeta_AAA d d_3 h h_A h_AA h_AAA",
     "isola_bend_by_inertia": "Omega A I_0 I_0A I_0AA zeta zeta_A zeta_AA d d_3 h h_A h_AA",
     "structural_bound": "A F_0 eta h steepest",

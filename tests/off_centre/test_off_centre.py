@@ -22,6 +22,7 @@ from slowflow.core.backend import SOLVER
 from slowflow.core.model import Model
 from slowflow.example import TABLE_1, isolator
 from slowflow.off_centre import answers, reach, solution_sheets
+from slowflow.off_centre.complete import Complete
 from slowflow.off_centre.means import ORDERS, Steps
 from slowflow.off_centre.questions import OffCentre
 from slowflow.off_centre.turning_points import Charts
@@ -696,6 +697,12 @@ def test_transmission_beyond_a_frequency_is_found(loaded):
     motion, is_proved = last(0.04, Level.of(0.0), 0.97 * true.Omega)
     assert is_proved and motion.Omega == pytest.approx(true.Omega, rel=1e-14)
     assert last(0.04, Level.of(0.0), 1.0001 * true.Omega) == (None, True)
+
+
+def test_undecided_folds_next_to_rest_are_at_no_minus_zero(monkeypatch):
+    """Isolation, which repeats what folds leave undecided, had them next to A = -0."""
+    monkeypatch.setattr(Complete, "corners", lambda *_: (np.empty((3, 0)), [], np.array([[-1e-14], [0.1], [0.0]])))
+    assert Isolator(**TABLE_1, load=0.03).isolation(0.04).message.endswith("next to A = 0")
 
 
 def test_isolation_that_is_not_proved_is_undecided(loaded, monkeypatch):

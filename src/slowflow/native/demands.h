@@ -146,33 +146,6 @@ static sf_interval sf_stationary_R(const sf_law_search *search, const sf_strip *
     return sf_is_none(found[1]) ? found[2] : sf_is_none(found[2]) ? found[1] : sfi_join(found[1], found[2]);
 }
 
-/* Whether F_A is positive for 0 < A on a cell that reaches down to A = 0, where it vanishes: as h/A and h_A are nearly
- * the same there, and I/A is not less than at its end. w: Omega */
-static int sf_rises_from_rest(const sf_law_search *search, const sf_strip *strip, sf_interval w, sf_interval I_A) {
-    const sf_laws_within *laws = &search->laws;
-    const sf_cell *cell = &strip->cell;
-    const double b = cell->A.hi, bend = sf_size_of(cell->h_AA), over = (strip->rest[0].hi / b) * (1 - SF_CLOSE);
-    double least[2];
-    if (!(cell->A.lo == 0 && I_A.lo >= 0 && w.lo >= 0))
-        return 0;
-    const sf_interval I = dissipation_intervals_I_scaled(w, cell->A, sfi_of(over, HUGE_VAL), strip->zeta[0], laws->d, laws->d_3);
-    if (dissipation_intervals_F_A_scaled(w, cell->h_A, cell->h_A, I, I_A).lo > 0)
-        return 1;
-    dissipation_least_scaled(w.lo * (1 - SF_CLOSE), search->model->zeta, search->model->eta, search->model->d, bend, least);
-    const double value = least[0] + b * b * fmin(least[1], 0) + (least[0] == 0 ? least[1] : 0);
-    return value > SF_CLOSE * least[0];
-}
-
-/* Whether the level of an excitation by inertia has a slope of one sign, also next to Omega = inf, where all of it that
- * is not over Omega^2 vanishes. */
-static int sf_has_level_slope(const sf_law_search *search, const sf_strip *strip, sf_interval w) {
-    const sf_laws_within *laws = &search->laws;
-    sf_interval of[3];
-    dissipation_intervals_far_by_inertia(w, strip->cell.A, search->force, strip->rest[0], strip->zeta[0], laws->d,
-                                         strip->cell.h, of);
-    return sfi_has_sign(sfi_add(of[1], sfi_div(of[2], w))); /* its third part grows with Omega */
-}
-
 /* Whether two factors may have a product of its sign. */
 static int sf_may_be_product(sf_interval product, sf_interval one, sf_interval other) {
     if (product.lo > 0)
@@ -220,14 +193,9 @@ static int sf_narrow_unknowns(const sf_law_search *search, const sf_strip *strip
             sf_limit_from_below(search, strip, of->R, &of->w);
         if (sf_is_none(of->w))
             return 0;
-        if (stationary && search->far && sf_has_level_slope(search, strip, of->w))
-            return 0;
         if (folded) {
             const sf_interval P = sfi_neg(sfi_mul(at.I, at.I_A)); /* R R_A */
             const sf_interval K = search->far ? sfi_mul(cell->k, square) : cell->k;
-            if (sf_rises_from_rest(search, strip, search->far ? sfi_inverse(of->w) : of->w,
-                                   search->far ? sfi_div(at.I_A, square) : at.I_A))
-                return 0;
             /* R R_A is least where R is K/2 */
             if (!forced && sfi_add(sfi_times(0.25, sfi_square(K)), sfi_mul(cell->A, P)).hi < 0)
                 return 0;

@@ -571,5 +571,5 @@ def _of_centred(centred: SaddleNodes | FrequencyResponse) -> _Notes:
 
 
 def _listed(sentence: Sentence, values: Floats) -> str:
-    """A sentence with the first few of some numbers."""
-    return sentence.format(values[:3], ", ..." * (len(values) > 3))
+    """A sentence with the first few of some numbers, of which a zero has no sign."""
+    return sentence.format(values[:3] + 0.0, ", ..." * (len(values) > 3))

@@ -10,7 +10,6 @@ from tests.oracles.definitions.along import static_halves
 from tests.oracles.definitions.laws import (
     TINY,
     Laws,
-    balances,
     by_arguments,
     by_laws,
     derivative,
@@ -154,34 +153,6 @@ def slope_of_sum(pairs):
     return mp.diff(lambda t: sum((value + slope * t) ** 2 for value, slope in pairs), 0)
 
 
-def least_slope(A, k, I, I_A):
-    def of(R):
-        return slope_of_sum(((R, (R - k) / A), (I, I_A))) / 2
-
-    # a parabola in R, by three of its values
-    below, at, above = of(k - 1), of(k), of(k + 1)
-    return [4 * A * (at - (above - below) ** 2 / (8 * (above - 2 * at + below)))]
-
-
-def scaled_slope(Omega, h_over_A, h_A, I_over_A, I_A):
-    """At A = 2, where h is 2 h_over_A and I is 2 I_over_A."""
-    R = Laws({"Omega": Omega, "A": mpf(2), "h": 2 * h_over_A, "h_A": h_A}).R
-    return [slope_of_sum(((R.value, R.derivative(1, 0)), (2 * I_over_A, I_A))) / 4]
-
-
-def least_from_rest(Omega, zeta, eta, d, h_AA):
-    """The least F_A for I_0 = eta A and k = A^2 h_AA/2, times 4 A over A^2: its first and third coefficient."""
-
-    def whole(A):
-        lag = lambda a: balances(Omega, a, eta * a, zeta, 0, d)[1]  # noqa: E731
-        return least_slope(A, A**2 * h_AA / 2, lag(A), mp.diff(lag, A))[0] / A**2
-
-    # a quadratic in A, by three of its values
-    nodes = [mpf(1), mpf(2), mpf(3)]
-    found = mp.lu_solve(mp.matrix([[1, A, A**2] for A in nodes]), mp.matrix([whole(A) for A in nodes]))
-    return [found[0], found[2]]
-
-
 #: what the systems of the search take between F_0 and R
 KNOWN = "I_0 I_0A I_0AA I_0AAA zeta zeta_A zeta_AA zeta_AAA d d_3 h h_A h_AA h_AAA"
 SECOND_ORDER = "Omega A I_0 I_0A I_0AA zeta zeta_A zeta_AA d d_3 h h_A h_AA"
@@ -229,12 +200,6 @@ DISSIPATION: dict[str, tuple[str, Function]] = {
     "F_A_halved": ("R R_A I I_A", lambda R, R_A, I, I_A: [slope_of_sum(((R, R_A), (I, I_A))) / 2]),
     "R_of_response": ("F_0 I", lambda F_0, I: [mp.sqrt(mpf(F_0) ** 2 - mpf(I) ** 2)]),
     "R_of_peak": by_arguments("Omega A zeta d d_3 I", lambda at: with_zeros(at, R="F_Omega").R.value),
-    "I_scaled": (
-        "Omega A I_0_over_A zeta d d_3",
-        lambda w, A, r, zeta, *laws: [balances(w, A, r * A, zeta, 0, *laws)[1] / A],
-    ),
-    "F_A_scaled": ("Omega h_over_A h_A I_over_A I_A", scaled_slope),
-    "least_scaled": ("Omega zeta eta d h_AA", least_from_rest),
     "Omega_A_by_inertia": by_laws(FIRST_ORDER, lambda laws: stays(laws.level)),
     "far_by_inertia": by_arguments("x A F_0 I_0 zeta d h", far_by_inertia),
     "R_where_stationary": by_arguments("x A I_0 zeta d", stationary_R),
