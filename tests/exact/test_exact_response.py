@@ -14,7 +14,6 @@ from slowflow.example import TABLE_1
 from tests.oracles import by_time
 from tests.oracles.exact_cases import isolator, random_cases, table_1
 from tests.oracles.exact_reference import ScipyIntegrator, again
-from tests.oracles.exact_scipy import half_turn
 from tests.sampling import part
 
 FORCINGS = (0.025, 0.03, 0.0301, 0.04, 0.05)
@@ -102,8 +101,8 @@ def test_middle_one_of_three_motions_is_unstable(curves):
 
 def unlike_mirrored(A, theta, Omega, F_0, exact):
     """By what a motion of Table 1's isolator misses its mirror image half a turn later: SciPy, the force typed in."""
-    by_hand, (u_cr,) = isolator(**TABLE_1, exact=exact)[1]
-    u, v = half_turn(A, theta, Omega, F_0, TABLE_1["mu"], TABLE_1["zeta"], by_hand, u_cr)
+    by_hand, damping = isolator(**TABLE_1, exact=exact)[1], (TABLE_1["mu"], TABLE_1["zeta"])
+    (u, v), _, _ = by_time.turns_of(by_hand, damping, Omega, F_0, (theta / Omega, A, 0.0), 0.5)
     return u + A, v
 
 

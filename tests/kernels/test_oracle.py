@@ -14,9 +14,11 @@ from mpmath import mp, mpf
 
 from tests.files import stored
 from tests.oracles import make_random_isolators as generator
-from tests.oracles.averaged import BITS, CORNER, DETACHED, Duffing, Oscillator, RodSpring, bezout
+from tests.oracles.averaged import BITS, CORNER, DETACHED, Oscillator, bezout
 from tests.oracles.certified_roots import isolate, polynomial_roots, precision
-from tests.oracles.kernels import Truncated
+from tests.oracles.definitions.averaged_force import doubles_at_ends, harmonic_by_quadrature
+from tests.oracles.definitions.points import DESIGNS, STEEP_DESIGNS, parameters_of
+from tests.oracles.kernels import Truncated, averages
 
 FILES = ("table_1", "random_isolators", "random_duffing", "negative_stiffness")
 
@@ -69,35 +71,27 @@ class Quadrature:
         return R**2 + damping**2 - F_0**2
 
 
-ISOLATOR = {"lam": 2.5, "r": 1.75, "delta_h": 0.17, "mu": 0.01, "zeta": 0.03}
-DUFFING = {"alpha": 0.75, "beta": -1.3, "mu": 0.01, "zeta": 0.03}
+FORCES = {
+    "rod_spring": [parameters_of(design) for design in DESIGNS],
+    "rod_spring_untruncated": [(*parameters_of(design)[:2], design[-1]) for design in STEEP_DESIGNS],
+    "duffing": [(0.75, -1.3)],
+}
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("ratio", ["0.3", "0.999", "1.0000001", "1.01", "1.7", "20"])
-def test_h_and_its_derivatives_are_those_of_the_force(ratio: str) -> None:
-    with mp.workdps(60), precision(BITS):
-        model, reference = RodSpring(**ISOLATOR), Quadrature("rod_spring", ISOLATOR)
-        A = reference.u_cr * mpf(ratio)
-        ball = arb(mp.nstr(A, 60))
-        found = [mpf(x.mid().str(50, radius=False)) for x in model.h(ball, model.regime(ball))]
-        assert abs(found[0] / reference.h(A) - 1) < mpf(10) ** -48
-        step = abs(A - reference.u_cr) * mpf(10) ** -9
-        for k, derivative in enumerate(found[1:], start=1):
-            # central differences of order four, from nodes on the same side of the corner
-            nodes = [mp.mpf(j) for j in (-3, -2, -1, 1, 2, 3)] + [mpf(0)]
-            matrix = mp.matrix([[j**i for j in nodes] for i in range(7)])
-            weights = mp.lu_solve(matrix, mp.matrix([mp.factorial(i) if i == k else 0 for i in range(7)]))
-            numeric = mp.fsum(w * reference.h(A + j * step) for w, j in zip(weights, nodes, strict=True)) / step**k
-            assert abs(numeric / derivative - 1) < mpf(10) ** -16
-
-
-def test_h_of_duffing_is_that_of_the_force() -> None:
-    with mp.workdps(60), precision(BITS):
-        model, reference = Duffing(**DUFFING), Quadrature("duffing", DUFFING)
-        for A in ("0.2", "3"):
-            found = mpf(model.h(arb(A), "attached")[0].mid().str(50, radius=False))
-            assert abs(found / reference.h(mpf(A)) - 1) < mpf(10) ** -48
+@pytest.mark.parametrize("ratio", [0.3, 0.999, 1 + 1e-12, 1.0000001, 1.01, 1.7, 20.0])
+@pytest.mark.parametrize("name", FORCES)
+def test_averages_are_those_of_the_force_by_quadrature(name: str, ratio: float) -> None:
+    """h and three derivatives: closed forms, which the kernels' oracle takes, and Gauss's rule in balls."""
+    with mp.workdps(60):
+        for p in FORCES[name]:
+            (end,) = doubles_at_ends(name, p) or [1.0]
+            passed, at = int(ratio > 1 and name != "duffing"), [mpf(ratio * end), *map(mpf, p)]
+            value, slope, *others = harmonic_by_quadrature(name, 1, passed, *at)
+            terms = [1 + abs(at[0]), 2, *(1 + abs(other) for other in others)]
+            found = averages(name, passed, *at)
+            for one, other, size in zip(found, [value - at[0], slope - 1, *others], terms, strict=True):
+                assert abs(one - other) < mpf(10) ** -45 * size
 
 
 # ---- the parts -------------------------------------------------------------------------------------------------------

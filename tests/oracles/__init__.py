@@ -10,11 +10,11 @@ kernels                   exact values of any generated kernel at any doubles
 frequencies               certified roots in Omega at one amplitude, and seeded stress cases for them
 by_work                   states and folds of any oscillator about the centre, counted on a grid of amplitudes
 by_time                   the equation of motion by SciPy from switch to switch, the spring typed by hand
-exact_linear, exact_scipy, exact_reference, exact_cases    the same by other means, and oscillators to try
+exact_linear, exact_reference, exact_cases    the same by other means, and oscillators to try
 pieces, forces            forces of any kind, each stated once, and their averages to 40 digits
 inertia                   certified answers on a base that shakes
 second, stated            the second approximation, and mechanisms as their files state them
 draws                     random numbers of designs
 make_kernel_oracle, make_random_isolators, make_off_centre, make_off_centre_laws, make_damped, make_sided, make_stated,
-make_closed, make_exact_motions        programs that write `tests/data`, as forces, inertia and second do
+make_curved, make_closed, make_exact_motions        programs that write `tests/data`, as forces, inertia and second do
 """

@@ -19,6 +19,7 @@ from tests.oracles import averaged, kernels
 from tests.oracles.averaged import ATTACHED, CORNER, DETACHED, Amplitude, Point, exact, exact_ball
 from tests.oracles.certified_roots import precision
 from tests.oracles.conditioning import Condition, Conditioning
+from tests.oracles.definitions.resultants import rational
 from tests.oracles.errors import U
 from tests.oracles.inertia import ByInertia
 
@@ -61,7 +62,7 @@ class Anywhere(averaged.Oscillator):
                 p = [self.alpha, self.beta, self.parameters["delta_h"]]
             values = (_mpf(x if isinstance(x, fmpq) else exact_ball(x)) for x in (arb(A), *p))
             found = kernels.averages(self.mechanism, int(regime == DETACHED), *values)
-            return tuple(arb(kernels.as_rational(x)) for x in found)
+            return tuple(arb(rational(x)) for x in found)
 
 
 class Rod(Anywhere, averaged.RodSpring):

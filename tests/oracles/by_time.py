@@ -134,7 +134,7 @@ def stretches(
         beyond = [one != other for one, other in zip(beyond, passed, strict=True)]
 
 
-def turns_of(by_hand: Any, mu_zeta: Any, Omega: float, F_0: float, start: Any, turns: int, **options: Any) -> Any:
+def turns_of(by_hand: Any, mu_zeta: Any, Omega: float, F_0: float, start: Any, turns: float, **options: Any) -> Any:
     """(u, u') some turns after (tau, u, u'), the largest |u|, and how many rests; pieces and their ends by hand."""
     (pieces, ends), (tau, *state), (mu, zeta) = by_hand, start, mu_zeta
     osc = SimpleNamespace(

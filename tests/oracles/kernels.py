@@ -8,8 +8,9 @@ balls, differentiated numerically with hundreds of bits to spare. As many digits
 from __future__ import annotations
 
 import functools
+import importlib
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from typing import Any
 
 from flint import acb, arb, fmpq
@@ -32,26 +33,45 @@ from tests.oracles.definitions import (
     sensitivities,
     slow_flow,
 )
-from tests.oracles.definitions.points import SCENES, measured, zeroed
+from tests.oracles.definitions.points import SCENES, Function, Table, measured, zeroed
+from tests.oracles.definitions.resultants import rational
 
 DIGITS = 60
 RELATIVE = 2.0**-50
-ORDERS = ("", "_A", "_AA", "_AAA")
 #: kernels that give the averages themselves
-AVERAGES = {**averaged_force.TOGETHER, **{name: (name,) for name in (l + order for l in "hH" for order in ORDERS)}}
+AVERAGES = {
+    **averaged_force.TOGETHER,
+    **{name: (name,) for name in ("h", "h_A", "h_AA", "h_AAA", "intercept", "H", "H_A", "H_AA")},
+}
 RESULTANTS = {"saddle_nodes": resultants.saddle_nodes, "saddle_node_onset": resultants.saddle_node_onset}
 #: definitions that are quadratures or searches for a root, which need numbers of moderate size
 BY_QUADRATURE = {"equivalent_damping", "transmissibility", "mean_stiffness", "offset_stiffness", "rise", "harmonics"}
-#: modules whose definitions name their arguments
-BY_NAMES: dict[str, Any] = {
-    "inertia": inertia.INERTIA,
-    "off_centre": off_centre.OFF_CENTRE,
-    "linearization": linearization.LINEARIZATION,
-    "sampled": sampled.SAMPLED,
-    "dissipation": damping.DISSIPATION,
-    "sensitivities": sensitivities.SENSITIVITIES,
+#: the modules of no mechanism
+MODULES = {
+    **{f"slow_flow{scene}": Table(along.of_scene(scene), place=along.place) for scene in SCENES},
+    "inertia": Table(inertia.INERTIA, place=inertia.place),
+    "dissipation": Table(damping.DISSIPATION, place=damping.place),
+    "linearization": Table(linearization.LINEARIZATION),
+    "sensitivities": Table(sensitivities.SENSITIVITIES),
+    "motion": Table(motion.MOTION),
+    "off_centre": Table(off_centre.OFF_CENTRE, 5, off_centre.place, off_centre.BETWEEN),
+    "second_approximation": Table(slow_flow.SECOND, 12, slow_flow.beside_resonances),
+    "frequencies": Table(frequencies.FREQUENCIES),
+    "sampled": Table(sampled.SAMPLED, 5, sampled.place, sampled.BETWEEN),
+    "den_hartog": Table(den_hartog.DEN_HARTOG, 24, den_hartog.place, den_hartog.BETWEEN),
 }
-Definition = Callable[..., list[Any]]
+#: parameters of mechanisms that have no file to be read as a definition
+PARAMETERS = {
+    "duffing": ("alpha", "beta"),
+    "rod_spring": ("alpha", "beta", "gamma", "u_cr"),
+    "rod_spring_untruncated": ("alpha", "beta", "delta_h"),
+}
+
+
+def parameters_of(mechanism: str) -> tuple[str, ...]:
+    """The names of a mechanism's parameters."""
+    other = averaged_force.stated(mechanism)
+    return other.parameters if other else PARAMETERS[mechanism]
 
 
 def scene_of(module: str) -> tuple[str, str]:
@@ -60,8 +80,8 @@ def scene_of(module: str) -> tuple[str, str]:
     return module.removesuffix(scene), scene
 
 
-def define(module: str, kernel: str, names: Sequence[str], at: Sequence[float]) -> tuple[Definition, bool]:
-    """The function of `names` that the kernel is on its side of every breakpoint at this point; whether of rationals.
+def define(module: str, kernel: str, names: Sequence[str], at: Sequence[float]) -> Function:
+    """The function of `names` that the kernel is on its side of every breakpoint at this point.
 
     Raises KeyError for a kernel without a definition.
     """
@@ -73,7 +93,7 @@ def define(module: str, kernel: str, names: Sequence[str], at: Sequence[float]) 
             raise ValueError("in phase or out of it, to rounding")
     if base == "slow_flow" and kernel == "fold":
         m = 0.0 if "mu0" in scene else known["m"]
-        if known["k"] ** 2 < (known["F_0"] - m) * (known["F_0"] + m):
+        if known.get("k", known.get("intercept")) ** 2 < (known["F_0"] - m) * (known["F_0"] + m):
             raise ValueError("no fold at such an intercept")
     if kernel == "R_of_fold" and abs(known["Omega"] ** 2 + known["h_A"]) <= RELATIVE * known["Omega"] ** 2:
         raise ValueError("a pole, to rounding")
@@ -82,25 +102,13 @@ def define(module: str, kernel: str, names: Sequence[str], at: Sequence[float]) 
         friction = known["m"] if "m" in known else 4 * known["mu"] / math.pi
         if known["F_0"] <= friction * (1 + RELATIVE):
             raise ValueError("at rest, or a rounding from it")
-    if kernel == "isola" and "mu0" not in scene and known["h_A"] <= 0:
-        raise ValueError("no isola point: h_A > 0")
-    if base in averaged_force.TYPED:
-        f, rational = _of_mechanism(base, kernel, names, at)
-    elif kernel == "isola" and known["m"] == 0 and "mu0" not in scene:
-        raise ValueError("a common factor is left out without friction")
-    elif base == "slow_flow" and kernel == "detachment":
-        f, rational = resultants.detachment, True
-    else:
-        of_locus = along.UNDAMPED if "zeta" in SCENES[scene] else along.DAMPED
-        table = {
-            "slow_flow": slow_flow.SLOW_FLOW | along.SLOPES | along.LOCI | of_locus | along.BESIDE_FOLDS,
-            "frequencies": frequencies.FREQUENCIES,
-            "motion": motion.MOTION,
-            "den_hartog": den_hartog.DEN_HARTOG,
-            **BY_NAMES,
-        }.get(base)
-        f, rational = (slow_flow.second_kernel(kernel) if table is None else table[kernel][1]), False
-    return zeroed(f, list(names), scene), rational
+    if base == "slow_flow" and kernel == "isola" and "mu0" not in scene:
+        if known["h_A"] <= 0:
+            raise ValueError("no isola point: h_A > 0")
+        if known["m"] == 0:
+            raise ValueError("a common factor is left out without friction")
+    f = MODULES[module].definitions[kernel][1] if module in MODULES else _of_mechanism(module, kernel, names, at)
+    return zeroed(f, list(names), scene)
 
 
 def is_of_gradients(kernel: str) -> bool:
@@ -108,51 +116,53 @@ def is_of_gradients(kernel: str) -> bool:
     return kernel in ("by_parameter", "by_design", "steps_by", "fold_moves", "right", "of_state")
 
 
-def _of_mechanism(name: str, kernel: str, names: Sequence[str], at: Sequence[float]) -> tuple[Definition, bool]:
-    known = dict(zip(names, at, strict=True))
-    inner = {"duffing": ("alpha", "beta"), "rod_spring": ("alpha", "beta", "gamma", "u_cr")}.get(
-        name, ("alpha", "beta", "delta_h")
-    )
-    u_cr = _corner(known) if "alpha" in known else math.inf
-    at = abs(known.get("A", known.get("u", 0.0)))
+def _of_mechanism(name: str, kernel: str, names: Sequence[str], at: Sequence[float]) -> Function:
+    inner = parameters_of(name)
+    own = [one for one in names if one not in inner]
+    place = abs(dict(zip(names, at, strict=True)).get("u" if "u" in names else "A", 0.0))
+    ends = averaged_force.doubles_at_ends(name, at[len(own) :]) if (*own, *inner) == (*names,) else []
     # of the force that is steep below u_cr and goes on above the double next to u_cr is above
-    passed = int(at >= u_cr if kernel == "force" and name == "rod_spring_untruncated" else at > u_cr)
-    if kernel == "harmonics" and name == "rod_spring_untruncated" and u_cr > 0.75:
+    onwards = kernel == "force" and name == "rod_spring_untruncated"
+    passed = sum(place >= end if onwards else place > end for end in ends)
+    if kernel == "harmonics" and name == "rod_spring_untruncated" and ends[0] > 0.75:
         raise ValueError("the harmonics are derived for u_cr <= 3/4")
     if kernel in AVERAGES:
-        return lambda *x: _outputs(AVERAGES[kernel], name, passed, *x), False
-    if kernel == "intercept":
-        return lambda *x: [h - x[0] * h_A for h, h_A in [_outputs(("h", "h_A"), name, passed, *x)]], False
+        return lambda *x: _outputs(AVERAGES[kernel], name, passed, *x)
     if kernel == "harmonics":
         harmonic = averaged_force.harmonic_by_quadrature
-        return lambda *x: [v for n in (3, 5) for v in harmonic(name, n, passed, *x)], False
+        return lambda *x: [v for n in (3, 5) for v in harmonic(name, n, passed, *x)]
+    if kernel == "by_parameter":
+        return lambda A, h, h_A, h_AA, *p: averaged_force.changes(name, passed, A, (h, h_A, h_AA), *p)
     if kernel in RESULTANTS:
-        last = len(names) - len(inner) - 1
-        used = last + 1 + (2 if name == "duffing" else 3)
-        leading = resultants.LEADING[name, kernel]
-        return lambda *x: RESULTANTS[kernel](leading(*x[last:used]), *x[:used]), True
+        return _resultant(name, kernel, len(own))
     if kernel in averaged_force.COMPOSED:
-        own = [one for one in names if one not in inner]
-        return averaged_force.composed(kernel, own, functools.partial(averages, name, passed)), False
-    return averaged_force.of_force(name, kernel, passed), False
+        return averaged_force.composed(kernel, own, functools.partial(averages, name, passed))
+    return averaged_force.of_force(name, kernel, passed)
 
 
-def _corner(known: dict[str, float]) -> float:
-    """The double next to u_cr, which stands for it; infinite where the force has one piece."""
-    if "delta_h" in known:
-        return math.sqrt(2 * known["delta_h"] - known["delta_h"] ** 2)
-    return known.get("u_cr", math.inf)
+def _resultant(name: str, kernel: str, own: int) -> Function:
+    """Of the first piece: where that ends does not matter."""
+
+    def of_rationals(*x: Any) -> list[fmpq]:
+        if other := averaged_force.stated(name):
+            found = RESULTANTS[kernel](fmpq(1), *x[:own], *other.first(x[own:]))
+            # the scale is a convention: that of the kernel
+            of_product = getattr(importlib.import_module(f"slowflow_kernels.{name}"), kernel)
+            scale = of_product(*(float(v.p) / float(v.q) for v in x))[-1]
+            return [fmpq(*float(scale).as_integer_ratio()) * c for c in found]
+        used = x[: own + (2 if name == "duffing" else 3)]
+        return RESULTANTS[kernel](resultants.LEADING[name, kernel](*used[own - 1 :]), *used)
+
+    return resultants.of_reals(of_rationals)
 
 
-def _outputs(outputs: Sequence[str], name: str, passed: int, *x: Any) -> list[Any]:
-    """Averages by name."""
-    values = {}
-    for letter, vertical in (("h", False), ("H", True)):
-        if any(output.startswith(letter) for output in outputs):
-            found = averages(name, passed, *x, vertical=vertical)
-            values |= {letter + order: value for order, value in zip(ORDERS, found, strict=True)}
-    if "intercept" in outputs:
-        values["intercept"] = values["h"] - x[0] * values["h_A"]
+def _outputs(outputs: Sequence[str], name: str, passed: int, A: Any, *p: Any) -> list[Any]:
+    """Averages by name: of the whole force, h, and of the force beside the vertical spring's, H."""
+    h, h_A, h_AA, h_AAA = averages(name, passed, A, *p)
+    values = {"h": h, "h_A": h_A, "h_AA": h_AA, "h_AAA": h_AAA, "intercept": h - A * h_A}
+    # the double next to the first breakpoint stands for it
+    end = A if passed else min([A, *averaged_force.pieces(name, p)[1]])
+    values |= {"H": h + end, "H_A": h_A + 1, "H_AA": h_AA}
     return [values[output] for output in outputs]
 
 
@@ -172,25 +182,17 @@ class Truncated(Oscillator):
 
 
 @functools.lru_cache(maxsize=64)
-def averages(name: str, passed: int, A: Any, *p: Any, vertical: bool = False) -> list[Any]:
-    """h, h_A, h_AA, h_AAA, or of the force beside the vertical spring's: of mpmath's numbers at its precision."""
+def averages(name: str, passed: int, A: Any, *p: Any) -> list[Any]:
+    """h, h_A, h_AA, h_AAA: of mpmath's numbers at its precision."""
+    if averaged_force.stated(name):
+        return averaged_force.harmonic_by_quadrature(name, 1, passed, A, *p)
     if name == "rod_spring_untruncated":
-        found = _untruncated(passed, A, *p)
-    else:
-        alpha, beta, gamma, u = p if name == "rod_spring" else (*p, mpf(0), mpf(1))
-        parameters = {"alpha": alpha, "beta": beta, "gamma": gamma, "u": u}
-        with precision(3 * mp.prec + 300):
-            force = Truncated(zeta=1, mu=0, **{key: as_rational(value) for key, value in parameters.items()})
-            found = [_number(x) for x in force.h(arb(as_rational(A)), DETACHED if passed else ATTACHED)]
-    if vertical:
-        found = [found[0] + A, found[1] + 1, *found[2:]]
-    return found
-
-
-def as_rational(x: Any) -> fmpq:
-    """A number of mpmath, exactly."""
-    sign, mantissa, exponent, _ = mpf(x)._mpf_
-    return fmpq(-int(mantissa) if sign else int(mantissa)) * fmpq(2) ** int(exponent)
+        return _untruncated(passed, A, *p)
+    alpha, beta, gamma, u = p if name == "rod_spring" else (*p, mpf(0), mpf(1))
+    parameters = {"alpha": alpha, "beta": beta, "gamma": gamma, "u": u}
+    with precision(3 * mp.prec + 300):
+        force = Truncated(zeta=1, mu=0, **{key: rational(value) for key, value in parameters.items()})
+        return [_number(x) for x in force.h(arb(rational(A)), DETACHED if passed else ATTACHED)]
 
 
 def _number(x: arb) -> Any:
@@ -204,7 +206,7 @@ def _untruncated(passed: int, A: Any, alpha: Any, beta: Any, delta_h: Any) -> li
     # next to the corner derivatives grow by 2^53 from one to the next
     spare = mp.prec // 2 + 120 + (0 if delta_h >= 1 else 4 * max(0, -mp.mag(1 - delta_h)))
     with precision(4 * spare + 2 * mp.prec + 8 * abs(mp.mag(A))):
-        amplitude, alpha_, beta_, preload = (arb(as_rational(x)) for x in (A, alpha, beta, delta_h))
+        amplitude, alpha_, beta_, preload = (arb(rational(x)) for x in (A, alpha, beta, delta_h))
         u = (preload * (2 - preload)).sqrt()
         if not passed and amplitude > u:  # the double next to u_cr stands for it
             amplitude = u
@@ -251,16 +253,15 @@ def values(module: str, kernel: str, names: Sequence[str], at: Sequence[float]) 
         Omega, F_0, mu = (mpf(x) for x in at)
         if F_0 * abs(den_hartog.exact_V(Omega)[0]) <= mu * abs(den_hartog.exact_U(Omega)[0]):
             raise ValueError("no motion without stops")
-    f, rational = define(module, kernel, names, at)
+    f = define(module, kernel, names, at)
     digits = digits_for(at)
     with workdps(digits):
-        found, scales = measured(f, at, rational)
-        if rational:
-            found, scales = ([mpf(int(v.p)) / int(v.q) for v in column] for column in (found, scales))
+        found, scales = measured(f, at)
         if any(isinstance(value, mp.mpc) for value in found):
             raise ValueError("not real")
-        # what numerical differentiation leaves of a zero
-        noise = mpf(0) if rational or kernel in AVERAGES else mpf(10) ** (15 - digits)
+        # what numerical differentiation, or quadrature, leaves of a zero
+        exact = kernel in (*RESULTANTS, "detachment") or (kernel in AVERAGES and module in PARAMETERS)
+        noise = mpf(0) if exact else mpf(10) ** (15 - digits)
         found, scales = (
             [mpf(0) if s < noise else mpf(v) for v, s in zip(column, scales, strict=True)] for column in (found, scales)
         )

@@ -16,7 +16,9 @@ from tests.oracles.definitions.laws import (
     with_slope,
     with_zeros,
 )
-from tests.oracles.definitions.points import Function
+from tests.oracles.definitions.points import SCENES, Definitions, beside_backbone
+from tests.oracles.definitions.resultants import detachment, of_reals
+from tests.oracles.definitions.slow_flow import SLOW_FLOW
 
 
 def static_halves(F_0, I_0, I_0A, h, h_A):
@@ -191,7 +193,6 @@ def isolation(A, F_0, reduction, h):
     return [mp.findroot(excess, 1.2 * mp.sqrt((abs(h) + F_0) / A))]
 
 
-Definitions = dict[str, tuple[str, Function]]
 SLOPES: Definitions = {
     "Omega_A": by_laws("Omega A m zeta h h_A", lambda laws: stays(laws.F)),
     "level_rise": by_laws("Omega A m zeta h h_A h_AA", lambda laws: -laws("F_Omega") * laws("F_AA") * laws("F_AOmega")),
@@ -241,3 +242,28 @@ BESIDE_FOLDS: Definitions = {
 }
 #: the sign of h_A where a root of it is taken
 SIGNS = {"isola_Omega": 1, "isola": 1, "undamped_Omega": -1, "undamped": -1}
+
+
+def of_scene(scene: str) -> Definitions:
+    """The slow flow's kernels where some dampings vanish."""
+    of_locus = UNDAMPED if "zeta" in SCENES[scene] else DAMPED
+    neighbours = {} if scene else BESIDE_FOLDS
+    return (
+        SLOW_FLOW
+        | ({} if scene else SLOPES)
+        | {"detachment": ("A m zeta h", of_reals(detachment))}
+        | LOCI
+        | of_locus
+        | neighbours
+    )
+
+
+def place(kernel: str, names: list[str], number: int, x: list[float]) -> None:
+    """Some next to the backbone; where h pushes outwards, too, and where its tangent meets A = 0 below 0."""
+    beside_backbone(names, number, x)
+    if kernel in SIGNS:
+        h_A = names.index("h_A")
+        x[h_A] = SIGNS[kernel] * abs(x[h_A])
+    turned = ("h",) if kernel == "isolation" else ("intercept", "R") if "intercept" in names else ()
+    for k in range(len(x)) if number % 2 == 0 else ():
+        x[k] *= -1 if names[k] in turned else 1

@@ -5,7 +5,6 @@ from __future__ import annotations
 import functools
 import itertools
 import math
-import random
 from collections.abc import Callable, Sequence
 
 from flint import arb, arb_series, ctx
@@ -14,9 +13,9 @@ from mpmath import mp, mpf
 from derivations.mechanisms import all_mechanisms
 from tests.oracles.definitions.along import LOCI
 from tests.oracles.definitions.forces import rod_coefficients, untruncated_coefficients
-from tests.oracles.definitions.points import RANGES, Amplitudes, Function, entry
-from tests.oracles.definitions.resultants import detachment_of_reals
-from tests.oracles.definitions.slow_flow import SLOW_FLOW, second_kernel
+from tests.oracles.definitions.points import Definitions, Function
+from tests.oracles.definitions.resultants import detachment, of_reals
+from tests.oracles.definitions.slow_flow import SLOW_FLOW
 from tests.oracles.stated import Stated
 
 #: mechanisms whose definitions are typed here
@@ -78,16 +77,6 @@ def ball(x) -> arb:
     return arb((-int(man) if sign else int(man), int(exp)))
 
 
-@functools.cache
-def family(name: str, passed: int, less_vertical: bool, A, *p):
-    """The average and its first three derivatives by A."""
-    if name == "rod_spring_untruncated" and not passed:  # the double next to u_cr stands for it
-        A = min(A, *pieces(name, p)[1])
-    value, slope, *rest = harmonic_by_quadrature(name, 1, passed, A, *p)
-    vertical = less_vertical - (stated(name) is None)
-    return [value + A * vertical, slope + vertical, *rest]
-
-
 def harmonic_by_quadrature(name: str, n: int, passed: int, A, *p) -> list:
     """-(1/pi) int_0^{2 pi} f(A cos psi) cos(n psi) dpsi and derivatives, f less u where it is typed here.
 
@@ -138,34 +127,6 @@ def harmonic_of_polynomials(other: Stated, n: int, passed: int, amplitude: arb_s
     return -4 / arb.pi() * total
 
 
-def harmonics_table(name: str, amplitudes: Amplitudes) -> list:
-    """Both harmonics with their derivatives; the untruncated force's as far as they are derived."""
-    rows = []
-    for A, p in amplitudes:
-        if A == 0 or (name == "rod_spring_untruncated" and scale_of(name, p) > 0.75):
-            continue
-        passed = passed_by(name, A, p)
-        row = entry(lambda *x, n=passed: [v for k in (3, 5) for v in harmonic_by_quadrature(name, k, n, *x)], [A, *p])
-        # they act together: the fifth, by far the smaller one at small amplitudes, is measured by the third's scale
-        row["scale"] = [max(pair, key=mpf) for pair in zip(row["scale"][:4], row["scale"][4:], strict=True)] * 2
-        rows.append(row)
-    return rows
-
-
-def changes_table(name: str, amplitudes: Amplitudes) -> list:
-    """Derivatives of h, h_A and h_AA by each parameter, at amplitudes of every regime, from h and its slopes."""
-    rows = []
-    for A, p in amplitudes:
-        if A == 0:
-            continue
-        passed = passed_by(name, A, p)
-        averaged = [float(value) for value in family(name, passed, False, mpf(A), *map(mpf, p))[:3]]
-        rows.append(
-            entry(lambda A, h, h_A, h_AA, *q, n=passed: changes(name, n, A, (h, h_A, h_AA), *q), [A, *averaged, *p])
-        )
-    return rows
-
-
 def changes(name: str, passed: int, A, averaged: Sequence, *p) -> list:
     """By quadratures for parameters on either side. The untruncated force is linear but for what beta multiplies:
     of beta by its term of the averages, which the kernel is a function of.
@@ -190,31 +151,6 @@ def changes(name: str, passed: int, A, averaged: Sequence, *p) -> list:
                 for a, b in zip(low, high, strict=True)
             ]
     return found
-
-
-def second_approximation_table(rng: random.Random) -> dict:
-    """Random harmonics, with |h| < 9 A Omega^2; half of the points next to the backbone."""
-    table = {}
-    orders = ("", "_A", "_AA", "_AAA")
-    kernels = (("response", "F_0 ", 3), ("folds", "F_0 ", 4), ("detachment", "", 3), ("detachment_by_inertia", "", 3))
-    for kernel, forcing, top in kernels:
-        families = [name + order for name in ("h", "h_3", "h_5") for order in orders[:top]]
-        names = f"Omega A {forcing}m zeta".split() + families
-        rows = []
-        for number in range(12):
-            x = {name: rng.uniform(*RANGES[name]) for name in names}
-            x["h"] = -x["A"] * x["Omega"] ** 2 * (1 + 1e-6 if number % 2 else rng.uniform(-0.5, 8.0))
-            rows.append(entry(second_kernel(kernel), [x[name] for name in names]))
-        table[kernel] = rows
-    for name, of in (("components", "Omega A m h h_3 h_5"), ("wave", "turned Omega m A_1 sine cosine a_3 a_5 kappa")):
-        rows = []
-        for number in range(12):
-            x = {one: rng.uniform(*RANGES[one]) for one in of.split()}
-            kappa = 1 + 1e-6 if number % 2 else rng.uniform(*RANGES["kappa"])
-            x |= {"h": -x["A"] * x["Omega"] ** 2 * kappa} if "A" in x else {"kappa": kappa}
-            rows.append(entry(second_kernel(name), [x[one] for one in of.split()]))
-        table[name] = rows
-    return table
 
 
 def passed_by(name: str, A: float, p: Sequence[float]) -> int:
@@ -285,8 +221,7 @@ def hardening(name: str, *q) -> list:
 def of_force(name: str, kernel: str, passed: int = 0) -> Function:
     """What a mechanism says of its force, from the pieces as defined; `force` with so many ends exceeded."""
     if kernel == "coefficients":
-        other = stated(name)
-        return other.coefficients if other else COEFFICIENTS[name]
+        return coefficients(name)
     if kernel == "breakpoints":
         return lambda *q: list(pieces(name, q)[1])
     if kernel in BY_PARAMETERS:
@@ -299,7 +234,28 @@ def of_force(name: str, kernel: str, passed: int = 0) -> Function:
     return (lambda u, *q: [mp.diff(lambda x: f(x, *q), u)]) if slope else (lambda *x: [f(*x)])
 
 
-BY_PARAMETERS = {"jumps": jumps, "hardening": hardening, "steps": steps, "steps_by": steps_by}
+def coefficients(name: str) -> Function:
+    """Parameters from a design."""
+    other = stated(name)
+    return other.coefficients if other else COEFFICIENTS[name]
+
+
+def by_design(name: str, *design) -> list:
+    """Derivatives of each parameter, then of each breakpoint, by each number of a design."""
+
+    def all_of(*x):
+        parameters = coefficients(name)(*x)
+        return [*parameters, *pieces(name, parameters)[1]]
+
+    orders = [tuple(int(k == n) for n in range(len(design))) for k in range(len(design))]
+    return [
+        mp.chop(mp.diff(lambda *x, j=j: all_of(*x)[j], design, order), tol=mpf(10) ** -42)
+        for j in range(len(all_of(*design)))
+        for order in orders
+    ]
+
+
+BY_PARAMETERS = {"jumps": jumps, "hardening": hardening, "steps": steps, "steps_by": steps_by, "by_design": by_design}
 COEFFICIENTS = {
     "rod_spring": rod_coefficients,
     "rod_spring_untruncated": untruncated_coefficients,
@@ -323,12 +279,8 @@ def composed(kernel: str, names: Sequence[str], averages: Callable) -> Function:
 
 
 #: functions of the slow flow that mechanisms have
-COMPOSED: dict[str, tuple[str, Function]] = {
-    **SLOW_FLOW,
-    "level": LOCI["level"],
-    "detachment": ("A m zeta h", detachment_of_reals),
-}
-#: several averages at once, by mechanism where not all have the kernel; and where they hold
+COMPOSED: Definitions = SLOW_FLOW | {"level": LOCI["level"], "detachment": ("A m zeta h", of_reals(detachment))}
+#: several averages at once
 TOGETHER = {
     "averaged": ("h", "h_A", "h_AA", "h_AAA"),
     "averaged_2": ("h", "h_A"),

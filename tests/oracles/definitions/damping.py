@@ -17,7 +17,7 @@ from tests.oracles.definitions.laws import (
     stays,
     with_zeros,
 )
-from tests.oracles.definitions.points import Function
+from tests.oracles.definitions.points import Definitions
 from tests.oracles.definitions.series import variables
 
 
@@ -159,7 +159,7 @@ SECOND_ORDER = "Omega A I_0 I_0A I_0AA zeta zeta_A zeta_AA d d_3 h h_A h_AA"
 THIRD_ORDER = "Omega A I_0 I_0A I_0AA I_0AAA zeta zeta_A zeta_AA zeta_AAA d d_3 h h_A h_AA h_AAA"
 FIRST_ORDER = "Omega A I_0 I_0A zeta zeta_A d d_3 h h_A"
 LOCAL = "Omega A I_0 zeta d d_3 h"
-DISSIPATION: dict[str, tuple[str, Function]] = {
+DISSIPATION: Definitions = {
     "quadratic": ("c_2", lambda c_2: [by_work(power_work(c_2, 2), 1)]),
     "cubic": ("c_3", lambda c_3: [by_work(power_work(c_3, 3), 1)]),
     "viscous": ("A zeta zeta_2", viscous_ratio),

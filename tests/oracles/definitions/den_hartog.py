@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from mpmath import mp, mpf
 
-from tests.oracles.definitions.points import Function
+from tests.oracles.definitions.points import RANGES, Definitions
 
 
 def half_cycle(Omega, A, mu):
@@ -59,7 +59,7 @@ def slope_ratio(tau, Omega):
     return [Omega * g / mp.sin(Omega * tau)]
 
 
-DEN_HARTOG: dict[str, tuple[str, Function]] = {
+DEN_HARTOG: Definitions = {
     "V": ("Omega", exact_V),
     "U": ("Omega", exact_U),
     "S_ratio": ("tau Omega", slope_ratio),
@@ -67,3 +67,19 @@ DEN_HARTOG: dict[str, tuple[str, Function]] = {
     "bound": ("Omega F_0 S", exact_bound),
     "motion": ("tau Omega A mu", lambda *x: [motion(*x)]),
 }
+
+FREQUENCIES_OF_POINTS = (0.4, 0.45, 0.55, 0.7, 0.9, 0.999, 1.0 + 1e-9, 1.001, 1.1, 1.5, 2.0, 3.0)
+
+BETWEEN = {**RANGES, "tau": (0.05, 0.5)}
+
+
+def place(_: str, names: list[str], number: int, x: list[float]) -> None:
+    """Friction small enough for a steady motion; tau in the first half of the half-cycle, where S is attained."""
+    at = dict(zip(names, x, strict=True))
+    at["Omega"] = Omega = FREQUENCIES_OF_POINTS[number % 12]
+    if "mu" in at:
+        most = at.get("F_0", at.get("A")) * abs(float(exact_V(mpf(Omega))[0] / exact_U(mpf(Omega))[0]))
+        at["mu"] = most * (0.1 + 40 * at["mu"])
+    if "tau" in at:
+        at["tau"] = 1e-6 if number < 12 else at["tau"] * float(mp.pi) / Omega
+    x[:] = at.values()

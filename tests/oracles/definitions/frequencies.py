@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import random
 from collections.abc import Sequence
 
 from mpmath import mp, mpf
 
 from tests.oracles.definitions.laws import Laws, balances
-from tests.oracles.definitions.points import Function, shown, table_of
+from tests.oracles.definitions.points import Definitions
 from tests.oracles.definitions.slow_flow import SLOW_FLOW
 
 ROUGH, FINE = mpf(2) ** -50, mpf(2) ** -98
@@ -86,7 +85,7 @@ def cubic_discriminant(A, p, p_low, q, q_low):
         return [mp.re(A**3 * ((a - b) * (b - c) * (c - a)) ** 2), -4 * p**3]
 
 
-FREQUENCIES: dict[str, tuple[str, Function]] = {
+FREQUENCIES: Definitions = {
     "response": quartic("response", ROUGH),
     "response_at_0": ("F_0 m h", lambda *x: [at_0(*x), x[2] ** 2 + (x[1] + x[0]) ** 2]),
     "fold": quartic("fold", ROUGH),
@@ -104,11 +103,3 @@ FREQUENCIES: dict[str, tuple[str, Function]] = {
     "cubic_fine": ("Omega A p p_low q q_low", lambda w, A, p, pp, q, qq: [A * w**3 + (p + pp) * w + (q + qq)]),
     "discriminant": ("A p p_low q q_low", cubic_discriminant),
 }
-
-
-def frequencies_table(rng: random.Random) -> dict:
-    table = table_of(FREQUENCIES, rng)
-    for row in (row for kind in ("response", "fold") for row in table[f"{kind}_derivative"]):
-        values, scales = in_pairs(*(list(map(mpf, row[name])) for name in ("is", "scale")))
-        row |= {"is": [shown(one) for one in values], "scale": [shown(one, 6) for one in scales]}
-    return table

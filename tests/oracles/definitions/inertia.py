@@ -5,7 +5,7 @@ from __future__ import annotations
 from mpmath import mp, mpf
 
 from tests.oracles.definitions.laws import Laws, balances, by_arguments, by_laws, linear_root, near, stays
-from tests.oracles.definitions.points import Function, beside_backbone
+from tests.oracles.definitions.points import Definitions, beside_backbone
 
 
 def shaken(Omega, F_0):
@@ -184,7 +184,7 @@ def shaken_share(A, zeta, h):
     return [1 - squared_level(1 / x, A, 0, zeta, h) * abs(h) / (4 * zeta**2 * A**3)]
 
 
-INERTIA: dict[str, tuple[str, Function]] = {
+INERTIA: Definitions = {
     "force": ("Omega F_0", lambda *x: [inertial(*x)]),
     "level": by_laws("Omega A m zeta h", lambda laws: mp.sqrt(laws.level.value)),
     "F": by_laws("Omega A F_0 m zeta h", lambda laws: laws("F"), by_inertia=True),

@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 
 from mpmath import mp, mpf
 
-from tests.oracles.definitions.points import Function
+from tests.oracles.definitions.points import Definitions
 
 
 def rates_by_tau(cosine, v, F_0, zeta, friction, f):
@@ -131,7 +131,7 @@ def falling(order):
     ]
 
 
-MOTION: dict[str, tuple[str, Function]] = {
+MOTION: Definitions = {
     "push": ("cosine F_0 f", lambda *x: [push(*x)]),
     "push_slopes": ("cosine sine F_0 f_u", push_slopes),
     "breakaway": ("F_0 mu f", lambda F_0, mu, f: [mp.findroot(lambda cosine: push(cosine, F_0, f) - mu, mpf(1))]),

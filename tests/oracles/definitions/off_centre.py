@@ -10,7 +10,7 @@ import operator
 from mpmath import mp, mpf
 
 from tests.oracles.definitions.laws import balances
-from tests.oracles.definitions.points import RANGES, Function
+from tests.oracles.definitions.points import RANGES, Definitions
 from tests.oracles.definitions.series import stated, variables
 
 
@@ -200,7 +200,7 @@ def ended_fold(R, A, F_0, F_2, m, eta, zeta, d, load, *rest):
     return stated(mean - load, at * tangential[0] - tangential[1] * F, F)
 
 
-OFF_CENTRE: dict[str, tuple[str, Function]] = {
+OFF_CENTRE: Definitions = {
     "averaged": ("A c_1 c_2 c_3 s_0 s_1 s_2 s_3", off_averaged),
     "state": ("Omega A force I I_A load c_0 c_1 s_0 s_1", off_state),
     "fold": ("R A F_0 F_2 m eta zeta d load c_0 c_1 c_2 s_0 s_1 s_2", off_fold),

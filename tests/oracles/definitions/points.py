@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from typing import NamedTuple
 
-from flint import fmpq
 from mpmath import mp, mpf
 
 from derivations.ledger import published
@@ -13,10 +13,10 @@ from tests.oracles.definitions.forces import rod_coefficients
 
 DIGITS = 40
 STEP = mpf(10) ** -20
-EXACT_STEP = fmpq(1, 2**70)
 SCENES = {"": (), "_mu0": ("m", "mu"), "_zeta0": ("zeta",), "_mu0_zeta0": ("m", "mu", "zeta")}
 
 Function = Callable[..., list]
+Definitions = dict[str, tuple[str, Function]]
 # each with the parameters it belongs to
 Amplitudes = list[tuple[float, tuple[float, ...]]]
 
@@ -122,42 +122,34 @@ def points(rng: random.Random, names: str, count: int, ranges: Mapping[str, Rang
     return [[rng.uniform(*ranges[name]) for name in names.split()] for _ in range(count)]
 
 
-def measured(f: Function, at: Sequence[float], exact: bool = False) -> tuple[list, list]:
+def measured(f: Function, at: Sequence[float]) -> tuple[list, list]:
     """Values, and |f| + sum |x df/dx| over the arguments, by a difference quotient in each."""
-    x = [fmpq(*value.as_integer_ratio()) if exact else mpf(value) for value in at]
-    step = EXACT_STEP if exact else STEP
+    x = [mpf(value) for value in at]
     values = f(*x)
     scales = [abs(value) for value in values]
     for k, value in enumerate(x):
         if value != 0:
-            shifted = f(*x[:k], value * (1 + step), *x[k + 1 :])
+            shifted = f(*x[:k], value * (1 + STEP), *x[k + 1 :])
             if len(shifted) != len(values):
                 raise ValueError("the number of coefficients changes here")
-            scales = [s + abs(b - a) / step for s, a, b in zip(scales, values, shifted, strict=True)]
+            scales = [s + abs(b - a) / STEP for s, a, b in zip(scales, values, shifted, strict=True)]
     return values, scales
 
 
-def entry(f: Function, at: Sequence[float], exact: bool = False) -> dict:
-    """One row: values, and their scale."""
-    values, scales = measured(f, at, exact)
-    return {"at": list(at), "is": [shown(v) for v in values], "scale": [shown(s, 6) for s in scales]}
+class Table(NamedTuple):
+    """Kernels' arguments and definitions; how many points each has, and what puts one by names and its number."""
 
+    definitions: Definitions
+    count: int = 6
+    place: Callable[[str, list[str], int, list[float]], None] = lambda *_: None
+    ranges: Mapping[str, Range] = RANGES
 
-def table_of(
-    definitions: dict[str, tuple[str, Function]],
-    rng: random.Random,
-    count: int = 6,
-    place: Callable[[str, list[str], int, list[float]], None] = lambda *_: None,
-    ranges: Mapping[str, Range] = RANGES,
-) -> dict:
-    """Rows of each kernel at random points; `place` moves a kernel's point, by names of arguments and its number."""
-    table = {}
-    for kernel, (names, f) in definitions.items():
-        chosen = points(rng, names, count, ranges)
-        for number, x in enumerate(chosen):
-            place(kernel, names.split(), number, x)
-        table[kernel] = [entry(f, x) for x in chosen]
-    return table
+    def points(self, rng: random.Random) -> Iterator[tuple[str, list[str], list[float]]]:
+        """Kernels with the names and values of their arguments."""
+        for kernel, (names, _) in self.definitions.items():
+            for number, x in enumerate(points(rng, names, self.count, self.ranges)):
+                self.place(kernel, names.split(), number, x)
+                yield kernel, names.split(), x
 
 
 def beside_backbone(names: list[str], number: int, x: list[float]) -> None:
@@ -168,11 +160,7 @@ def beside_backbone(names: list[str], number: int, x: list[float]) -> None:
 
 
 def shown(value, digits: int = DIGITS) -> str:
-    if isinstance(value, fmpq):
-        value = mpf(int(value.p)) / int(value.q)
-    if value == 0:
-        return "0"
-    return mp.nstr(value, digits)
+    return "0" if value == 0 else mp.nstr(value, digits)
 
 
 def zeroed(f: Function, names: Sequence[str], scene: str) -> Function:

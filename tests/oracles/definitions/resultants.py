@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+from collections.abc import Callable
 
 from flint import fmpq, fmpq_poly
 from mpmath import mp, mpf
@@ -120,9 +121,10 @@ LEADING = {
 
 def rational(x) -> fmpq:
     """The number as it is."""
-    mantissa, exponent = abs(x).man_exp
-    return int(mp.sign(x)) * fmpq(int(mantissa)) * fmpq(2) ** int(exponent)
+    sign, mantissa, exponent, _ = mpf(x)._mpf_
+    return fmpq(-int(mantissa) if sign else int(mantissa)) * fmpq(2) ** int(exponent)
 
 
-def detachment_of_reals(*x):
-    return [mpf(int(value.p)) / int(value.q) for value in detachment(*map(rational, x))]
+def of_reals(f: Callable[..., list[fmpq]]) -> Callable[..., list]:
+    """The same of mpmath's numbers."""
+    return lambda *x: [mpf(int(value.p)) / int(value.q) for value in f(*map(rational, x))]

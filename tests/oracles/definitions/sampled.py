@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-import random
-
 from mpmath import mp, mpf
 
-from tests.oracles.definitions.points import Function, entry
+from tests.oracles.definitions.points import Definitions
 
 
 def cut_off(lost, b, order=0):
@@ -65,7 +63,7 @@ def on_sine(n, orders=4):
 
 
 LOST, TERMS = "A b lost_0 lost_1 lost_2", "sine f f_u f_uu f_uuu"
-SAMPLED: dict[str, tuple[str, Function]] = {
+SAMPLED: Definitions = {
     "at_rest": ("f", lambda f: [-4 / mp.pi * f * sine_integrals(mp.pi / 2, 2)[1]]),
     "averaged_terms": (TERMS, on_sine(1)),
     "averaged_end": (LOST, by_end(1, 1, 3)),
@@ -84,17 +82,15 @@ SAMPLED: dict[str, tuple[str, Function]] = {
 }
 
 
-def sampled_table(rng: random.Random) -> dict:
-    """Ends beside amplitudes and far below them; forces and losses of any sign."""
-    table = {}
-    for kernel, (names, f) in SAMPLED.items():
-        count = sum(name.startswith(("f", "lost")) for name in names.split())
-        rows = []
-        for ratio in (0.05, 0.4, 0.8, 0.99, 0.9999):
-            numbers = [rng.uniform(-1, 1) for _ in range(count)]
-            A = rng.uniform(0.2, 1.0)
-            before = [A, ratio * A] if "end" in kernel else [ratio] if kernel.endswith("s") else []
-            before = [A, ratio, rng.uniform(0.1, 0.9)] if kernel == "intercept_terms" else before
-            rows.append(entry(f, [*before, *numbers]))
-        table[kernel] = rows
-    return table
+#: forces and losses of any sign
+BETWEEN = {name: (-1.0, 1.0) for name in "f f_u f_uu f_uuu f_uuuu lost_0 lost_1 lost_2 lost_3".split()}
+BETWEEN |= {"A": (0.2, 1.0), "b": (0.0, 1.0), "sine": (0.0, 1.0), "cosine": (0.1, 0.9)}
+
+
+def place(_: str, names: list[str], number: int, x: list[float]) -> None:
+    """Ends beside amplitudes and far below them."""
+    ratio = (0.05, 0.4, 0.8, 0.99, 0.9999)[number]
+    if "b" in names:
+        x[names.index("b")] = ratio * x[names.index("A")]
+    elif "sine" in names:
+        x[names.index("sine")] = ratio

@@ -7,7 +7,7 @@ from mpmath import mp, mpf
 from tests.oracles.definitions.damping import KNOWN
 from tests.oracles.definitions.inertia import shaken
 from tests.oracles.definitions.laws import balances, near
-from tests.oracles.definitions.points import Function
+from tests.oracles.definitions.points import Definitions, Function
 from tests.oracles.definitions.series import variables
 
 #: for each kind of answer the conditions beside F = 0, and F's derivatives by (A, Omega) that must not vanish
@@ -150,7 +150,7 @@ def excited(force):
 
 AT = f"Omega A F_0 {KNOWN}"
 CAUSES = "h_p h_Ap h_AAp I_0p I_0Ap I_0AAp zeta_p zeta_Ap zeta_AAp d_p d_3p forcing_p frequency_p end_p"
-SENSITIVITIES: dict[str, tuple[str, Function]] = {
+SENSITIVITIES: Definitions = {
     "slopes": (
         f"Omega A R {KNOWN} S_Omega S_OmegaOmega S_F S_FOmega",
         slopes,

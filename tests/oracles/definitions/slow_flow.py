@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from mpmath import mp, mpf
 
-from tests.oracles.definitions.laws import balances, by_laws, derivative, near, polynomial
-from tests.oracles.definitions.points import Function
+from tests.oracles.definitions.laws import BY_A, balances, by_laws, derivative, near, polynomial
+from tests.oracles.definitions.points import Definitions
 
 
 def phase(Omega, A, m, zeta, h):
@@ -162,7 +162,7 @@ def second_kernel(kernel):
     return of
 
 
-SLOW_FLOW: dict[str, tuple[str, Function]] = {
+SLOW_FLOW: Definitions = {
     "friction": ("mu", lambda mu: [4 * mu / mp.pi]),
     "R": by_laws("Omega A h", lambda laws: laws.R.value),
     "I": by_laws("Omega A m zeta", lambda laws: laws.I.value),
@@ -187,3 +187,27 @@ SLOW_FLOW: dict[str, tuple[str, Function]] = {
     "fold_quartic": polynomial("F_A", (0, 1, 2, 4), "A m zeta h h_A", lambda at: 2),
     "peak_cubic": polynomial("F_Omega", (0, 1, 3), "A m zeta h", lambda at: 4 * at["A"]),
 }
+
+FAMILIES = {top: " ".join(name + by for name in ("h", "h_3", "h_5") for by in BY_A[:top]) for top in (3, 4)}
+SECOND: Definitions = {
+    kernel: (names, second_kernel(kernel))
+    for kernel, names in {
+        "response": f"Omega A F_0 m zeta {FAMILIES[3]}",
+        "folds": f"Omega A F_0 m zeta {FAMILIES[4]}",
+        "detachment": f"Omega A m zeta {FAMILIES[3]}",
+        "detachment_by_inertia": f"Omega A m zeta {FAMILIES[3]}",
+        "components": "Omega A m h h_3 h_5",
+        "wave": "turned Omega m A_1 sine cosine a_3 a_5 kappa",
+    }.items()
+}
+
+
+def beside_resonances(_: str, names: list[str], number: int, x: list[float]) -> None:
+    """|h| < 9 A Omega^2; half of the points next to the backbone."""
+    at = dict(zip(names, x, strict=True))
+    if number % 2:
+        at |= {"kappa": 1 + 1e-6} if "kappa" in at else {}
+    if "h" in at:
+        kappa = 1 + 1e-6 if number % 2 else -0.5 - 8.5 * at["h"]
+        at["h"] = -at["A"] * at["Omega"] ** 2 * kappa
+    x[:] = at.values()
