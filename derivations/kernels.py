@@ -83,7 +83,7 @@ class Kernel(Called):
     searched   -- and on intervals of any arithmetic, in Python
     looped     -- whether Python may have it as a compiled loop over arrays of floats: asked once an answer, it need not
     in_c       -- whether anything in C calls it, where a module is in C at all
-    in_python  -- whether Python has its text; what only the compiled solvers call is had from C there
+    in_python  -- whether Python has its text; what no Python code calls it has from C
     paired     -- and in double-double, in C, and in balls, in Python
     to_pairs   -- of one in double-double: the lets that are wanted so, what is left to do being done in doubles; all
                   of it where there are none

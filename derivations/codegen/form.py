@@ -300,8 +300,8 @@ class Module:
         return tuple(one for one in every if one.compiled)
 
     @property
-    def of_solvers(self) -> tuple[Kernel | TwofoldKernel, ...]:
-        """What only the compiled solvers call: Python has it from C, as loops over arrays."""
+    def from_c(self) -> tuple[Kernel | TwofoldKernel, ...]:
+        """What Python has from C, as loops over arrays, because no Python code calls it."""
         return (*(kernel for kernel in self.kernels if not kernel.in_python), *self.twofolds)
 
     @property

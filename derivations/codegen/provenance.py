@@ -1,4 +1,4 @@
-"""Where generated text comes from, for headers and the manifest: versions of the tools, hashes of the inputs."""
+"""Where generated text comes from, for the manifest: versions of the tools, hashes of the inputs."""
 
 from __future__ import annotations
 
@@ -14,11 +14,6 @@ TOOLS = ("sympy", "python-flint", "jinja2")
 def versions() -> dict[str, str]:
     """Of the tools that shape the output."""
     return {tool: importlib.metadata.version(tool) for tool in TOOLS}
-
-
-def tools() -> str:
-    """The same in words."""
-    return ", ".join(f"{tool} {version}" for tool, version in versions().items())
 
 
 def digest(path: Path) -> str:

@@ -28,7 +28,6 @@ from .form import AVERAGED, Branch, Composition, Kernel, Module, TwofoldKernel
 from .passes import Let, Program, program_of, straight_line
 from .prose import Prose, escaped
 from .proved import in_words
-from .provenance import digest, tools
 
 if TYPE_CHECKING:
     from .targets.printing import Rules
@@ -200,13 +199,8 @@ def _filled(context: jinja2.runtime.Context, text: str, indent: int, first: int 
 
 
 def heading(module: Module) -> str:
-    """Of a generated file: where it is from, the mechanism's file with its hash, or the steps of the derivation."""
-    of_mechanism = [name for name in module.inputs if name.startswith("mechanisms/")]
-    steps = [f"derivations/{name}" for name in module.inputs if name not in of_mechanism]
-    inputs = [f"derivations/{name}, sha256 {digest(DERIVATIONS / name)}" for name in of_mechanism]
-    inputs += [f"none but the equation of motion in {', '.join(steps)}"] if steps else []
-    lines = ["Written by `make derive`; never edit.", *(f"Input: {one}" for one in inputs), f"Tools: {tools()}"]
-    return "\n".join(lines)
+    """What a generated file is from. The manifest has hashes and the tools' versions."""
+    return f"Written by `make derive` from {', '.join(f'derivations/{name}' for name in module.inputs)}; never edit."
 
 
 def regimes(module: Module) -> str:
@@ -231,14 +225,15 @@ def fill(text: str, indent: int, first: int = 0) -> str:
 def returned(outputs: Sequence[str], shaped_by: Sequence[str] = (), function: str = "broadcast_outputs") -> str:
     """A tuple as a function in Python returns it: on one line where that holds it, else an output a line.
 
-    Numbers that follow one another share theirs. `shaped_by`: the arguments whose shape a function gives the outputs.
+    Names and numbers that follow one another share theirs. `shaped_by`: the arguments whose shape a function gives the
+    outputs.
     """
     of = f"{function}(({', '.join(shaped_by)}{',' if len(shaped_by) == 1 else ''}), " if shaped_by else ""
     line = f"{of}{', '.join(outputs)}{')' if shaped_by else ''}"
     if (len(outputs) > 1 or shaped_by) and len(f"    return {line}") <= WIDTH:
         return line
-    runs = itertools.groupby(outputs, lambda output: bool(re.fullmatch(r"-?[\d.]+", output)))
-    together = (one for is_number, run in runs for one in ([", ".join(run)] if is_number else run))
+    runs = itertools.groupby(outputs, lambda output: bool(re.fullmatch(r"-?[\w.]+", output)))
+    together = (one for is_short, run in runs for one in ([", ".join(run)] if is_short else run))
     lines = "".join(f"        {fill(one, 8, 8)},\n" for one in together)
     return f"{of.rstrip() or '('}\n{lines}    )"
 

@@ -1,8 +1,6 @@
 /* The arctangent that all generated C calls: it vectorises, and gives the same digits with every compiler and library.
 
-   Written by `make derive`; never edit.
-   Input: none but the Chebyshev series in derivations/codegen/arctangent.py
-   Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
+   Written by `make derive` from the Chebyshev series in derivations/codegen/arctangent.py; never edit.
 
    C99. Wrong with fast-math; build with contraction off if the digits are to be the same everywhere. */
 

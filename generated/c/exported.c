@@ -1,7 +1,6 @@
 /* Every function of these headers with a symbol, for what calls a library.
 
-   Written by `make derive` or `slowflow derive`; never edit.
-   Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6 */
+   Written by `make derive` or `slowflow derive`; never edit. */
 
 #ifdef _WIN32
 #define SF_KERNEL __declspec(dllexport)

@@ -1,7 +1,6 @@
 /* How functions of the generated headers are declared.
 
-   Written by `make derive`; never edit.
-   Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6 */
+   Written by `make derive`; never edit. */
 
 #ifndef INLINE_H
 #define INLINE_H

@@ -1,8 +1,7 @@
 /* Stationary random vibration by statistical linearization.
 
-   Written by `make derive`; never edit.
-   Input: none but the equation of motion in derivations/paper/equation_of_motion.py, derivations/extensions/linearization.py
-   Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
+   Written by `make derive` from derivations/paper/equation_of_motion.py, derivations/extensions/linearization.py;
+   never edit.
 
    Everything is dimensionless. C99. `p` holds the mechanism's parameters in their order, `out` takes the outputs.
    Operations are those in floating point. Bounds of rounding errors, output by output, are proved for all arguments

@@ -1,8 +1,6 @@
 /* The average of a force that is known by its values and those of its derivatives, u = A sine.
 
-   Written by `make derive`; never edit.
-   Input: none but the equation of motion in derivations/forces/quadrature.py, derivations/forces/sampled.py
-   Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
+   Written by `make derive` from derivations/forces/quadrature.py, derivations/forces/sampled.py; never edit.
 
    Everything is dimensionless. C99. `p` holds the mechanism's parameters in their order, `out` takes the outputs.
    Operations are those in floating point. Bounds of rounding errors, output by output, are proved for all arguments

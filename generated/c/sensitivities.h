@@ -1,8 +1,8 @@
 /* How answers move with the parameters: what the implicit function theorem asks for.
 
-   Written by `make derive`; never edit.
-   Input: none but the equation of motion in derivations/paper/averaging.py, derivations/paper/slow_flow.py, derivations/extensions/dissipation.py, derivations/extensions/inertia.py, derivations/systems/gradients.py
-   Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
+   Written by `make derive` from derivations/paper/averaging.py, derivations/paper/slow_flow.py,
+   derivations/extensions/dissipation.py, derivations/extensions/inertia.py, derivations/systems/gradients.py; never
+   edit.
 
    Everything is dimensionless. C99. `p` holds the mechanism's parameters in their order, `out` takes the outputs.
    Operations are those in floating point. Bounds of rounding errors, output by output, are proved for all arguments

@@ -1,8 +1,6 @@
 /* Series of Carlson's integrals R_F and R_D, in pairs that know how far they may be off.
 
-   Written by `make derive`; never edit.
-   Input: the series in derivations/forces/elliptic.py
-   Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6 */
+   Written by `make derive` from the series in derivations/forces/elliptic.py; never edit. */
 
 #ifndef BOUNDED_CARLSON_H
 #define BOUNDED_CARLSON_H

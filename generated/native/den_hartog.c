@@ -1,8 +1,6 @@
 /* Den Hartog's exact solution of the linear oscillator with dry friction, without stops: loops for NumPy.
 
-   Written by `make derive`; never edit.
-   Input: den_hartog.h, the same functions for one number each
-   Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6 */
+   Written by `make derive` from den_hartog.h, the same functions for one number each; never edit. */
 
 #include "den_hartog.h"
 

@@ -1,8 +1,6 @@
 /* Structural and quadratic damping, and dry friction of what is attached: loops for NumPy.
 
-   Written by `make derive`; never edit.
-   Input: dissipation.h, the same functions for one number each
-   Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6 */
+   Written by `make derive` from dissipation.h, the same functions for one number each; never edit. */
 
 #include "dissipation.h"
 

@@ -1,8 +1,7 @@
 /* Structural and quadratic damping, and dry friction of what is attached: on whole intervals.
 
-   Written by `make derive`; never edit.
-   Input: none but the equation of motion in derivations/paper/averaging.py, derivations/paper/slow_flow.py, derivations/extensions/dissipation.py
-   Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
+   Written by `make derive` from derivations/paper/averaging.py, derivations/paper/slow_flow.py,
+   derivations/extensions/dissipation.py; never edit.
 
    Each output holds every value that the function of the same name takes on the arguments; `out` takes the outputs.
    Equations and domains that are not stated here are those of dissipation.h. */

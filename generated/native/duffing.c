@@ -1,8 +1,6 @@
 /* Duffing oscillator: one cubic piece, no breakpoint: loops for NumPy.
 
-   Written by `make derive`; never edit.
-   Input: duffing.h, the same functions for one number each
-   Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6 */
+   Written by `make derive` from duffing.h, the same functions for one number each; never edit. */
 
 #include "duffing.h"
 

@@ -1,8 +1,6 @@
 /* Duffing oscillator: one cubic piece, no breakpoint: on whole intervals.
 
-   Written by `make derive`; never edit.
-   Input: derivations/mechanisms/duffing.py, sha256 7cffe3ba3eb82dff30d9056782c1d8d86d7b088987eebfc441dd4030a7ae1048
-   Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
+   Written by `make derive` from derivations/mechanisms/duffing.py; never edit.
 
    Each output holds every value that the function of the same name takes on the arguments; `out` takes the outputs. */
 

@@ -1,8 +1,6 @@
 /* The quartics whose roots are the frequencies at an amplitude: F of the response, F_A/2 of the folds: loops for NumPy.
 
-   Written by `make derive`; never edit.
-   Input: frequencies.h, the same functions for one number each
-   Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6 */
+   Written by `make derive` from frequencies.h, the same functions for one number each; never edit. */
 
 #include "frequencies.h"
 

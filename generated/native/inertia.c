@@ -1,8 +1,6 @@
 /* Excitation by inertia, F_0 Omega^2: a base that shakes, an unbalance: loops for NumPy.
 
-   Written by `make derive`; never edit.
-   Input: inertia.h, the same functions for one number each
-   Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6 */
+   Written by `make derive` from inertia.h, the same functions for one number each; never edit. */
 
 #include "inertia.h"
 

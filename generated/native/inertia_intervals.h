@@ -1,8 +1,7 @@
 /* Excitation by inertia, F_0 Omega^2: a base that shakes, an unbalance: on whole intervals.
 
-   Written by `make derive`; never edit.
-   Input: none but the equation of motion in derivations/paper/equation_of_motion.py, derivations/paper/averaging.py, derivations/paper/slow_flow.py, derivations/extensions/inertia.py
-   Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
+   Written by `make derive` from derivations/paper/equation_of_motion.py, derivations/paper/averaging.py,
+   derivations/paper/slow_flow.py, derivations/extensions/inertia.py; never edit.
 
    Each output holds every value that the function of the same name takes on the arguments; `out` takes the outputs.
    Equations and domains that are not stated here are those of inertia.h. */

@@ -1,8 +1,6 @@
 /* Stationary random vibration by statistical linearization: loops for NumPy.
 
-   Written by `make derive`; never edit.
-   Input: linearization.h, the same functions for one number each
-   Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6 */
+   Written by `make derive` from linearization.h, the same functions for one number each; never edit. */
 
 #include "linearization.h"
 

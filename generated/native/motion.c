@@ -1,8 +1,6 @@
 /* The equation of motion of any mechanism, in the values of its force: loops for NumPy.
 
-   Written by `make derive`; never edit.
-   Input: motion.h, the same functions for one number each
-   Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6 */
+   Written by `make derive` from motion.h, the same functions for one number each; never edit. */
 
 #include "motion.h"
 

@@ -1,8 +1,6 @@
 /* Motions off the centre, u = B + A cos psi, by the means of the force and its derivatives over a cycle: loops for NumPy.
 
-   Written by `make derive`; never edit.
-   Input: off_centre.h, the same functions for one number each
-   Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6 */
+   Written by `make derive` from off_centre.h, the same functions for one number each; never edit. */
 
 #include "off_centre.h"
 

@@ -1,8 +1,6 @@
 /* The arctangent's table of angles, atan(k/PAIR_ANGLES_CUT), and its power series, as pairs and then as doubles.
 
-   Written by `make derive`; never edit.
-   Input: none but the series in derivations/codegen/arctangent.py
-   Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6 */
+   Written by `make derive` from the series in derivations/codegen/arctangent.py; never edit. */
 
 #ifndef PAIR_ANGLE_SERIES_H
 #define PAIR_ANGLE_SERIES_H

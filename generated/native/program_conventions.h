@@ -1,7 +1,6 @@
 /* What programs are made of, which are interpreted, in C and in Python.
 
-   Written by `make derive`; never edit.
-   Input: derivations/codegen/conventions.py */
+   Written by `make derive` from derivations/codegen/conventions.toml; never edit. */
 
 #ifndef PROGRAM_CONVENTIONS_H
 #define PROGRAM_CONVENTIONS_H

@@ -1,7 +1,6 @@
 /* What integrals over the quarter cycle and their enclosures have in common, in C and in Python.
 
-   Written by `make derive`; never edit.
-   Input: derivations/codegen/conventions.py */
+   Written by `make derive` from derivations/codegen/conventions.toml; never edit. */
 
 #ifndef QUADRATURE_CONVENTIONS_H
 #define QUADRATURE_CONVENTIONS_H

@@ -1,8 +1,6 @@
 /* A record of every mechanism, as the solvers of src/slowflow/native take it.
 
-   Written by `make derive`; never edit.
-   Input: the headers included below, and the domains stated in derivations/mechanisms
-   Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
+   Written by `make derive` from the headers included below and the domains in derivations/mechanisms; never edit.
 
    The functions do nothing but call the headers. */
 

@@ -1,8 +1,6 @@
 /* Mass on a vertical spring, with preloaded horizontal springs on a push-rod that detach at u_cr: loops for NumPy.
 
-   Written by `make derive`; never edit.
-   Input: rod_spring.h, the same functions for one number each
-   Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6 */
+   Written by `make derive` from rod_spring.h, the same functions for one number each; never edit. */
 
 #include "rod_spring.h"
 

@@ -1,8 +1,6 @@
 /* Mass on a vertical spring, with preloaded horizontal springs on a push-rod that detach at u_cr: in double-double.
 
-   Written by `make derive`; never edit.
-   Input: derivations/mechanisms/rod_spring.py, sha256 e1ae9b1fbfae095e99f9fe7c6568d8d06833deed4ed2b632148259068bc3e33a
-   Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
+   Written by `make derive` from derivations/mechanisms/rod_spring.py; never edit.
 
    `out` takes the outputs, where there are several.
    Equations and domains that are not stated here are those of rod_spring.h.

@@ -1,9 +1,7 @@
 /* Mass on a vertical spring, with preloaded horizontal springs on a push-rod that detach at u_cr, force not truncated: in double-double.
 
-   Written by `make derive`; never edit.
-   Input: derivations/mechanisms/rod_spring_untruncated.py, sha256 fcc795df716f7e2f9f892242cfe193b7bb6d648ba5e980491479e0dbe8cfd9fa
-   Input: none but the equation of motion in derivations/asymmetric/curved.py
-   Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
+   Written by `make derive` from derivations/mechanisms/rod_spring_untruncated.py, derivations/asymmetric/curved.py;
+   never edit.
 
    `out` takes the outputs, where there are several.
    Equations and domains that are not stated here are those of rod_spring_untruncated.h. */

@@ -1,8 +1,6 @@
 /* The average of a force that is known by its values and those of its derivatives, u = A sine: loops for NumPy.
 
-   Written by `make derive`; never edit.
-   Input: sampled.h, the same functions for one number each
-   Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6 */
+   Written by `make derive` from sampled.h, the same functions for one number each; never edit. */
 
 #include "sampled.h"
 

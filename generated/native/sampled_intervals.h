@@ -1,8 +1,6 @@
 /* The average of a force that is known by its values and those of its derivatives, u = A sine: on whole intervals.
 
-   Written by `make derive`; never edit.
-   Input: none but the equation of motion in derivations/forces/quadrature.py, derivations/forces/sampled.py
-   Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
+   Written by `make derive` from derivations/forces/quadrature.py, derivations/forces/sampled.py; never edit.
 
    Each output holds every value that the function of the same name takes on the arguments; `out` takes the outputs.
    Equations and domains that are not stated here are those of sampled.h. */

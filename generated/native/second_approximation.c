@@ -1,8 +1,6 @@
 /* Second approximation of any mechanism, with higher harmonics, in A = A_1 + a_3 + a_5: loops for NumPy.
 
-   Written by `make derive`; never edit.
-   Input: second_approximation.h, the same functions for one number each
-   Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6 */
+   Written by `make derive` from second_approximation.h, the same functions for one number each; never edit. */
 
 #include "second_approximation.h"
 

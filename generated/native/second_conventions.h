@@ -1,7 +1,6 @@
 /* What the solvers of the second approximation have in common, in C and in Python.
 
-   Written by `make derive`; never edit.
-   Input: derivations/codegen/conventions.py */
+   Written by `make derive` from derivations/codegen/conventions.toml; never edit. */
 
 #ifndef SECOND_CONVENTIONS_H
 #define SECOND_CONVENTIONS_H

@@ -1,8 +1,6 @@
 /* How answers move with the parameters: what the implicit function theorem asks for: loops for NumPy.
 
-   Written by `make derive`; never edit.
-   Input: sensitivities.h, the same functions for one number each
-   Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6 */
+   Written by `make derive` from sensitivities.h, the same functions for one number each; never edit. */
 
 #include "sensitivities.h"
 

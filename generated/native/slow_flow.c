@@ -1,8 +1,6 @@
 /* Slow flow of any mechanism, in h = H - A and its derivatives: loops for NumPy.
 
-   Written by `make derive`; never edit.
-   Input: slow_flow.h, the same functions for one number each
-   Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6 */
+   Written by `make derive` from slow_flow.h, the same functions for one number each; never edit. */
 
 #include "slow_flow.h"
 

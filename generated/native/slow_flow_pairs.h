@@ -1,8 +1,8 @@
 /* Slow flow of any mechanism, in h = H - A and its derivatives: in double-double.
 
-   Written by `make derive`; never edit.
-   Input: none but the equation of motion in derivations/paper/averaging.py, derivations/paper/slow_flow.py, derivations/asymmetric/offset.py, derivations/systems/along.py, derivations/systems/slopes.py, derivations/systems/newton.py, derivations/paper/critical_forcings.py
-   Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
+   Written by `make derive` from derivations/paper/averaging.py, derivations/paper/slow_flow.py,
+   derivations/asymmetric/offset.py, derivations/systems/along.py, derivations/systems/slopes.py,
+   derivations/systems/newton.py, derivations/paper/critical_forcings.py; never edit.
 
    `out` takes the outputs, where there are several.
    Equations and domains that are not stated here are those of slow_flow.h. */

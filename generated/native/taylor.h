@@ -1,8 +1,6 @@
 /* Every piece of every restoring force as Taylor recurrences: the coefficients of each series on the way to f(u) and df/du.
 
-   Written by `make derive`; never edit.
-   Input: the pieces of the forces of every mechanism, as their modules have them
-   Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
+   Written by `make derive` from the pieces of the forces of every mechanism; never edit.
 
    C99, for the integrator of src/slowflow/native/exact/step.h. `p` holds the constants of the kernel in their order. */
 

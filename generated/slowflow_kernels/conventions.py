@@ -1,7 +1,6 @@
 """Codes and constants of the solvers of averaged motions, in C and in Python.
 
-Written by `make derive`; never edit.
-Input: derivations/codegen/conventions.py
+Written by `make derive` from derivations/codegen/conventions.toml; never edit.
 """
 
 from enum import IntEnum

@@ -1,9 +1,7 @@
 
 """Den Hartog's exact solution of the linear oscillator with dry friction, without stops.
 
-Written by `make derive`; never edit.
-Input: none but the equation of motion in derivations/paper/den_hartog.py
-Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
+Written by `make derive` from derivations/paper/den_hartog.py; never edit.
 
 Everything is dimensionless. Arguments broadcast; each output has their common shape, NumPy scalars for scalars, where
 arguments are of type ArrayLike, and the shape of those that it depends on where they may be any kind of number. Each

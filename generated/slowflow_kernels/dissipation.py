@@ -1,9 +1,8 @@
 
 """Structural and quadratic damping, and dry friction of what is attached.
 
-Written by `make derive`; never edit.
-Input: none but the equation of motion in derivations/paper/averaging.py, derivations/paper/slow_flow.py, derivations/extensions/dissipation.py
-Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
+Written by `make derive` from derivations/paper/averaging.py, derivations/paper/slow_flow.py,
+derivations/extensions/dissipation.py; never edit.
 
 Everything is dimensionless. Arguments broadcast; each output has their common shape, NumPy scalars for scalars, where
 arguments are of type ArrayLike, and the shape of those that it depends on where they may be any kind of number. Each
@@ -312,8 +311,8 @@ def full_by_inertia(F_0: Any, d: Any) -> Any:
     """
     return 1.4142135623730951 * F_0 / np.sqrt(np.sqrt(4.0 * F_0 * F_0 * d * d + 1.0) + 1.0)
 
-#: what only the compiled solvers call, with its arguments; all else is said in generated/c/dissipation.h
-OF_SOLVERS = {
+#: functions that no Python code calls, which are in C, with their arguments; see generated/c/dissipation.h
+FROM_C = {
     "restoring": "A F_0 d",
     "released_moves": "A m u_cr",
     "viscous_moves": "A",
@@ -352,4 +351,4 @@ OF_SOLVERS = {
     "cusps_far_by_x": "x A F_0 I_0 I_0A I_0AA I_0AAA zeta zeta_A zeta_AA zeta_AAA d d_3 h h_A h_AA h_AAA R I R_A I_A",
     "isolas_far_by_x": "x A F_0 I_0 I_0A I_0AA I_0AAA zeta zeta_A zeta_AA zeta_AAA d d_3 h h_A h_AA h_AAA R I R_A I_A",
 }
-globals().update(from_c("dissipation", OF_SOLVERS))
+globals().update(from_c("dissipation", FROM_C))

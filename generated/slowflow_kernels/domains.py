@@ -1,7 +1,6 @@
 """The numbers that every oscillator has besides its mechanism's, and which of them are allowed.
 
-Written by `make derive`; never edit.
-Input: derivations/mechanisms/__init__.py
+Written by `make derive` from derivations/mechanisms/__init__.py; never edit.
 """
 
 from slowflow.support.record import Parameter

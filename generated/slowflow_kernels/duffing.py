@@ -1,9 +1,7 @@
 
 """Duffing oscillator: one cubic piece, no breakpoint.
 
-Written by `make derive`; never edit.
-Input: derivations/mechanisms/duffing.py, sha256 7cffe3ba3eb82dff30d9056782c1d8d86d7b088987eebfc441dd4030a7ae1048
-Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
+Written by `make derive` from derivations/mechanisms/duffing.py; never edit.
 
 Everything is dimensionless. Arguments broadcast; each output has their common shape, NumPy scalars for scalars, where
 arguments are of type ArrayLike, and the shape of those that it depends on where they may be any kind of number. Each
@@ -22,8 +20,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from slowflow_kernels import slow_flow as flow
-from slowflow.support.backend import NATIVE, compiled
-from slowflow.support.broadcast import broadcast_outputs, common_shape, floats, full, number_by_regime, stacked
+from slowflow.support.backend import NATIVE, compiled, from_c
+from slowflow.support.broadcast import broadcast_outputs, common_shape, floats, full, number_by_regime
 from slowflow.support.record import Law, Mechanism, Parameter
 
 if TYPE_CHECKING:
@@ -97,8 +95,7 @@ def harmonics(A: ArrayLike, alpha: ArrayLike, beta: ArrayLike) -> tuple[Any, Any
         -0.25 * A3 * beta,
         -0.75 * A2 * beta,
         -A * t0,
-        -t0,
-        0.0, 0.0, 0.0, 0.0,
+        -t0, 0.0, 0.0, 0.0, 0.0,
     )
 
 
@@ -204,91 +201,6 @@ def force(u: ArrayLike, alpha: ArrayLike, beta: ArrayLike) -> Any:
     u, alpha, beta = arguments = floats(u, alpha, beta)
     bodies = (force_1,)
     return number_by_regime((), bodies, arguments)
-
-
-def saddle_node_onset(m: ArrayLike, zeta: ArrayLike, alpha: ArrayLike, beta: ArrayLike) -> Floats:
-    """Reduced resultant of F_A and F_AA: coefficients of A^0, A^2, ...; its roots are candidates for the onset.
-
-    Equation (33). Domain: roots with A > 0. Operations: 52. Error / u (1 + kappa): proved 7.67 at most. One array,
-    coefficients by rising power along its first axis.
-    """
-    m, zeta, alpha, beta = floats(m, zeta, alpha, beta)
-    t0 = alpha * alpha
-    zeta2 = zeta * zeta
-    zeta4 = zeta2 * zeta2
-    m2 = m * m
-    m4 = m2 * m2
-    t1 = m4 * zeta4
-    beta2 = beta * beta
-    t2 = alpha * zeta4
-    beta4 = beta2 * beta2
-    t3 = beta4 * zeta2
-    beta3 = beta * beta2
-    beta5 = beta * beta4
-    beta6 = beta3 * beta3
-    beta7 = beta * beta6
-    beta8 = beta4 * beta4
-    return stacked((m, zeta, alpha, beta),
-        4096.0 * t0 * t1,
-        36864.0 * alpha * beta * t1,
-        34560.0 * beta2 * t1,
-        294912.0 * beta2 * m2 * t0 * zeta4,
-        1658880.0 * beta3 * m2 * t2,
-        -31104.0 * m2 * t3 * (55.0 * alpha - 46.0 * zeta2),
-        -5184.0 * t3 * (351.0 * beta * m2 - 1024.0 * t0 * zeta2),
-        11943936.0 * beta5 * t2,
-        -1119744.0 * beta6 * zeta2 * (alpha - 6.0 * zeta2),
-        -1259712.0 * beta7 * zeta2,
-        59049.0 * beta8,
-    )
-
-
-def saddle_nodes(F_0: ArrayLike, m: ArrayLike, zeta: ArrayLike, alpha: ArrayLike, beta: ArrayLike) -> Floats:
-    """Reduced resultant of F and F_A: coefficients of A^0, A^2, ...; its roots are candidates for folds.
-
-    Equation from (24), (30). Domain: roots with A > 0. Operations: 98. Error / u (1 + kappa): proved -, -, -, -, -,
-    -, -, -, -, 0.91, 0.91; measured 1.2. One array, coefficients by rising power along its first axis.
-    """
-    F_0, m, zeta, alpha, beta = floats(F_0, m, zeta, alpha, beta)
-    excess = (F_0 - m) * (F_0 + m)
-    zeta2 = zeta * zeta
-    m2 = m * m
-    t0 = 2.0 * zeta2
-    t1 = excess * (alpha - t0)
-    t2 = excess * m2
-    excess2 = excess * excess
-    excess3 = excess * excess2
-    t3 = beta * excess3
-    t4 = 3.0 * beta
-    t5 = excess2 * t4
-    t6 = alpha * alpha
-    m4 = m2 * m2
-    t7 = m4 * zeta2
-    zeta4 = zeta2 * zeta2
-    t8 = alpha * zeta4
-    beta2 = beta * beta
-    t9 = beta2 * zeta2
-    t10 = excess * t4
-    t11 = t6 * zeta2
-    beta4 = beta2 * beta2
-    t12 = beta4 * zeta2
-    excess4 = excess2 * excess2
-    beta3 = beta * beta2
-    beta5 = beta * beta4
-    beta6 = beta3 * beta3
-    return stacked((F_0, m, zeta, alpha, beta),
-        16.0 * excess4,
-        128.0 * t2 * zeta2 * (2.0 * m2 * zeta2 - t1),
-        32.0 * zeta2 * (m2 * t5 + 6.0 * t3 + 8.0 * t6 * t7),
-        24.0 * beta * (48.0 * m4 * t8 + 32.0 * t2 * t8 - 3.0 * t3),
-        144.0 * t9 * (2.0 * excess2 * (alpha + t0) + 2.0 * t2 * (3.0 * alpha + 4.0 * zeta2) + 5.0 * t7),
-        72.0 * t9 * (m2 * (t10 + 16.0 * t11) - t5),
-        27.0 * beta3 * (excess * (t10 + 64.0 * t8) + 128.0 * m2 * t8),
-        -648.0 * t12 * (m2 * (2.0 * alpha - 3.0 * zeta2) + t1),
-        -162.0 * t12 * (6.0 * beta * m2 + t10 - 8.0 * t11),
-        1944.0 * beta5 * t8,
-        729.0 * beta6 * zeta4,
-    )
 
 
 def h(A: ArrayLike, alpha: ArrayLike, beta: ArrayLike) -> Any:
@@ -474,6 +386,12 @@ def detachment(A: ArrayLike, mu: ArrayLike, zeta: ArrayLike, alpha: ArrayLike, b
 
 if NATIVE is not None:
     globals().update(compiled(globals(), NATIVE.duffing()))
+#: functions that no Python code calls, which are in C, with their arguments; see generated/c/duffing.h
+FROM_C = {
+    "saddle_node_onset": "m zeta alpha beta",
+    "saddle_nodes": "F_0 m zeta alpha beta",
+}
+globals().update(from_c("duffing", FROM_C, stacked=["saddle_node_onset", "saddle_nodes"]))
 
 
 def _load_balls():

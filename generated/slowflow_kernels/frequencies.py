@@ -1,9 +1,8 @@
 
 """The quartics whose roots are the frequencies at an amplitude: F of the response, F_A/2 of the folds.
 
-Written by `make derive`; never edit.
-Input: none but the equation of motion in derivations/paper/averaging.py, derivations/paper/slow_flow.py, derivations/systems/frequencies.py
-Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
+Written by `make derive` from derivations/paper/averaging.py, derivations/paper/slow_flow.py,
+derivations/systems/frequencies.py; never edit.
 
 Everything is dimensionless. Arguments broadcast; each output has their common shape, NumPy scalars for scalars, where
 arguments are of type ArrayLike, and the shape of those that it depends on where they may be any kind of number. Each
@@ -33,8 +32,8 @@ __all__ = [
     "response_exactly_at_0", "response_fine", "rise",
 ]
 
-#: what only the compiled solvers call, with its arguments; all else is said in generated/c/frequencies.h
-OF_SOLVERS = {
+#: functions that no Python code calls, which are in C, with their arguments; see generated/c/frequencies.h
+FROM_C = {
     "response": "Omega A F_0 m zeta h",
     "response_at_0": "F_0 m h",
     "fold": "Omega A m zeta h h_A",
@@ -52,4 +51,4 @@ OF_SOLVERS = {
     "cubic_fine": "Omega A p p_low q q_low",
     "discriminant": "A p p_low q q_low",
 }
-globals().update(from_c("frequencies", OF_SOLVERS))
+globals().update(from_c("frequencies", FROM_C))

@@ -1,9 +1,8 @@
 
 """Excitation by inertia, F_0 Omega^2: a base that shakes, an unbalance.
 
-Written by `make derive`; never edit.
-Input: none but the equation of motion in derivations/paper/equation_of_motion.py, derivations/paper/averaging.py, derivations/paper/slow_flow.py, derivations/extensions/inertia.py
-Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
+Written by `make derive` from derivations/paper/equation_of_motion.py, derivations/paper/averaging.py,
+derivations/paper/slow_flow.py, derivations/extensions/inertia.py; never edit.
 
 Everything is dimensionless. Arguments broadcast; each output has their common shape, NumPy scalars for scalars, where
 arguments are of type ArrayLike, and the shape of those that it depends on where they may be any kind of number. Each
@@ -138,8 +137,8 @@ def level_rise(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h:
 
 if NATIVE is not None:
     globals().update(compiled(globals(), NATIVE.inertia()))
-#: what only the compiled solvers call, with its arguments; all else is said in generated/c/inertia.h
-OF_SOLVERS = {
+#: functions that no Python code calls, which are in C, with their arguments; see generated/c/inertia.h
+FROM_C = {
     "force_slopes": "Omega F_0",
     "level_slope": "Omega A m zeta h",
     "terms": "A m zeta h",
@@ -158,4 +157,4 @@ OF_SOLVERS = {
     "bound": "A F_0 zeta h h_A h_AA h_AAA lost",
     "share": "A zeta h",
 }
-globals().update(from_c("inertia", OF_SOLVERS))
+globals().update(from_c("inertia", FROM_C))

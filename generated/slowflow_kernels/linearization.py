@@ -1,9 +1,8 @@
 
 """Stationary random vibration by statistical linearization.
 
-Written by `make derive`; never edit.
-Input: none but the equation of motion in derivations/paper/equation_of_motion.py, derivations/extensions/linearization.py
-Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
+Written by `make derive` from derivations/paper/equation_of_motion.py, derivations/extensions/linearization.py;
+never edit.
 
 Everything is dimensionless. Arguments broadcast; each output has their common shape, NumPy scalars for scalars, where
 arguments are of type ArrayLike, and the shape of those that it depends on where they may be any kind of number. Each
@@ -111,9 +110,9 @@ def crossings(end: Any, sigma_u: Any, sigma_v: Any) -> Any:
     """
     return 0.31830988618379069 * sigma_v * np.exp(-0.5 * end * end / (sigma_u * sigma_u)) / sigma_u
 
-#: what only the compiled solvers call, with its arguments; all else is said in generated/c/linearization.h
-OF_SOLVERS = {
+#: functions that no Python code calls, which are in C, with their arguments; see generated/c/linearization.h
+FROM_C = {
     "steepest": "ratio",
     "resonance": "theta k c slope G E_re E_im D_re D_im",
 }
-globals().update(from_c("linearization", OF_SOLVERS))
+globals().update(from_c("linearization", FROM_C))

@@ -1,9 +1,8 @@
 
 """The equation of motion of any mechanism, in the values of its force.
 
-Written by `make derive`; never edit.
-Input: none but the equation of motion in derivations/paper/equation_of_motion.py, derivations/extensions/motion.py, derivations/extensions/switching.py
-Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
+Written by `make derive` from derivations/paper/equation_of_motion.py, derivations/extensions/motion.py,
+derivations/extensions/switching.py; never edit.
 
 Everything is dimensionless. Arguments broadcast; each output has their common shape, NumPy scalars for scalars, where
 arguments are of type ArrayLike, and the shape of those that it depends on where they may be any kind of number. Each
@@ -144,8 +143,7 @@ def rates_by_parameter(cosine: Any, v: Any, Omega: Any, F_0: Any, zeta: Any, fri
         -t0 * (F_0 * cosine - f - friction - t1 * zeta),
         cosine * t2,
         -t1 * t2,
-        t3,
-        t3,
+        t3, t3,
     )
 
 
@@ -206,8 +204,8 @@ def back(beyond: Any, growth: Any) -> Any:
     cube = 6.0 * beyond / growth
     return np.cbrt(cube)
 
-#: what only the compiled solvers call, with its arguments; all else is said in generated/c/motion.h
-OF_SOLVERS = {
+#: functions that no Python code calls, which are in C, with their arguments; see generated/c/motion.h
+FROM_C = {
     "turned": "before after",
 }
-globals().update(from_c("motion", OF_SOLVERS))
+globals().update(from_c("motion", FROM_C))

@@ -1,9 +1,8 @@
 
 """Motions off the centre, u = B + A cos psi, by the means of the force and its derivatives over a cycle.
 
-Written by `make derive`; never edit.
-Input: none but the equation of motion in derivations/paper/averaging.py, derivations/paper/slow_flow.py, derivations/asymmetric/off_centre.py
-Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
+Written by `make derive` from derivations/paper/averaging.py, derivations/paper/slow_flow.py,
+derivations/asymmetric/off_centre.py; never edit.
 
 Everything is dimensionless. Arguments broadcast; each output has their common shape, NumPy scalars for scalars, where
 arguments are of type ArrayLike, and the shape of those that it depends on where they may be any kind of number. Each
@@ -91,8 +90,7 @@ def state(Omega: Any, A: Any, force: Any, I: Any, I_A: Any, load: Any, c_0: Any,
     return (
         c_0 - load,
         I * I + R * R - force * force,
-        s_1,
-        c_1,
+        s_1, c_1,
         2.0 * I * I_A + 2.0 * R * (-2.0 * c_1 + t1 + t0 / A),
         -4.0 * R * s_1,
     )
@@ -143,9 +141,7 @@ def fold(R: Any, A: Any, F_0: Any, F_2: Any, m: Any, eta: Any, zeta: Any, d: Any
         c_0 - load,
         R * (4.0 * c_1 * s_0 - t9) + c_1 * t5,
         I * I + R * R - t4,
-        s_1,
-        c_1,
-        0.0,
+        s_1, c_1, 0.0,
         R * (-2.0 * t6 + 2.0 * t7) + c_1 * t26 + s_2 * t19 + t11 * t13 + t14 * t16 + t18 * (c_2 - t17) + t22 * t23,
         c_2 * t19 + s_1 * t10 * t12 + s_1 * t16 + s_1 * t23 * t28 + s_2 * t18 + t15 * t27,
         A * t13 + A * t21 * t23 + 4.0 * c_1 * s_0 + c_1 * t29 - t9,
@@ -170,8 +166,7 @@ def ended_state(Omega: Any, A: Any, force: Any, I: Any, I_A: Any, load: Any, c_0
     return (
         c_0 - load,
         I * I + R * R - force * force,
-        c_x,
-        c_y,
+        c_x, c_y,
         X * t2 + t4 * (X * t1 + X * t3 - 2.0 * c_x),
         Y * t2 + t4 * (Y * t1 + Y * t3 + 2.0 * c_y),
     )
@@ -240,9 +235,7 @@ def ended_fold(R: Any, A: Any, F_0: Any, F_2: Any, m: Any, eta: Any, zeta: Any, 
         c_0 - load,
         R * t12 + t5 * t8,
         I * I + R * R - t4,
-        c_x,
-        c_y,
-        0.0,
+        c_x, c_y, 0.0,
         R * c_x * t13 + X_x * (-c_y * t14 - c_y * t5) + c_xx * t21 + t16 * t17 + t19 * t20 + t24 * t25 + t26 * t27 +
         t32 * t8,
         4.0 * R * c_y * t7 + Y_y * (c_x * t14 + c_x * t5) + c_yy * t26 + t17 * t33 + t20 * t34 + t21 * t27 + t25 *
@@ -322,11 +315,11 @@ def moved_at_end(side: Any, c_1: Any, s_1: Any, c_0_p: Any, load_p: Any, end_p: 
         (c_0_p + end_p * t0 - load_p) / (-s_1 + t0),
     )
 
-#: what only the compiled solvers call, with its arguments; all else is said in generated/c/off_centre.h
-OF_SOLVERS = {
+#: functions that no Python code calls, which are in C, with their arguments; see generated/c/off_centre.h
+FROM_C = {
     "ended_along": "A s_0 c_x c_y X Y",
     "begin": "A a root angle",
     "up": "k A a span L_2 L_1 M_2 M_1",
     "down": "k A a root L_1 L_k M_1 M_k",
 }
-globals().update(from_c("off_centre", OF_SOLVERS))
+globals().update(from_c("off_centre", FROM_C))

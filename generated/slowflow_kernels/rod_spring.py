@@ -1,9 +1,7 @@
 
 """Mass on a vertical spring, with preloaded horizontal springs on a push-rod that detach at u_cr.
 
-Written by `make derive`; never edit.
-Input: derivations/mechanisms/rod_spring.py, sha256 e1ae9b1fbfae095e99f9fe7c6568d8d06833deed4ed2b632148259068bc3e33a
-Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
+Written by `make derive` from derivations/mechanisms/rod_spring.py; never edit.
 
 Everything is dimensionless. Arguments broadcast; each output has their common shape, NumPy scalars for scalars, where
 arguments are of type ArrayLike, and the shape of those that it depends on where they may be any kind of number. Each
@@ -26,8 +24,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from slowflow_kernels import slow_flow as flow
-from slowflow.support.backend import NATIVE, compiled
-from slowflow.support.broadcast import broadcast_outputs, by_regime, floats, number_by_regime, stacked
+from slowflow.support.backend import NATIVE, compiled, from_c
+from slowflow.support.broadcast import broadcast_outputs, by_regime, floats, number_by_regime
 from slowflow.support.record import Law, Mechanism, Parameter, Scale
 
 if TYPE_CHECKING:
@@ -751,10 +749,7 @@ def by_design(lam: Any, r: Any, delta_h: Any) -> tuple[Any, Any, Any, Any, Any, 
         -r * t3,
         -lam * t3,
         -0.375 * t0,
-        0.0, 0.0,
-        t4,
-        0.0, 0.0,
-        t4,
+        0.0, 0.0, t4, 0.0, 0.0, t4,
     )
 
 
@@ -804,8 +799,7 @@ def hardening(alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike, u_cr: ArrayLi
     alpha, beta, gamma, u_cr = floats(alpha, beta, gamma, u_cr)
     t0 = u_cr * u_cr
     return broadcast_outputs((alpha, beta, gamma, u_cr),
-        beta,
-        gamma,
+        beta, gamma,
         -u_cr * (alpha + t0 * (beta + gamma * t0) - 1.0),
     )
 
@@ -821,19 +815,13 @@ def steps(alpha: Any, beta: Any, gamma: Any, u_cr: Any) -> tuple[Any, Any, Any, 
     t2 = u_cr * u_cr
     t3 = gamma * t2
     return broadcast_outputs((alpha, beta, gamma, u_cr),
-        0.0,
-        alpha,
-        0.0,
-        t0,
-        0.0,
-        t1,
+        0.0, alpha, 0.0, t0, 0.0, t1,
         -u_cr * (alpha + t2 * (beta + t3) - 1.0),
         -alpha + t2 * (-3.0 * beta - 5.0 * t3) + 1.0,
         u_cr * (-t0 - 20.0 * t3),
         -t0 - 60.0 * t3,
         -t1 * u_cr,
-        -t1,
-        0.0, 1.0, 0.0, 0.0, 0.0, 0.0,
+        -t1, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0,
     )
 
 
@@ -848,14 +836,11 @@ def steps_by(alpha: Any, beta: Any, gamma: Any, u_cr: Any) -> tuple[Any, Any, An
     u_cr4 = u_cr2 * u_cr2
     u_cr5 = u_cr * u_cr4
     return broadcast_outputs((alpha, beta, gamma, u_cr),
-        0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-        -u_cr,
-        -1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 6.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-        -u_cr3,
+        0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -u_cr, -1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+        6.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -u_cr3,
         -3.0 * u_cr2,
         -6.0 * u_cr,
-        -6.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 120.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-        -u_cr5,
+        -6.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 120.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -u_cr5,
         -5.0 * u_cr4,
         -20.0 * u_cr3,
         -60.0 * u_cr2,
@@ -906,189 +891,6 @@ def force(u: ArrayLike, alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike, u_c
     u, alpha, beta, gamma, u_cr = arguments = floats(u, alpha, beta, gamma, u_cr)
     bodies = (force_1, force_2)
     return number_by_regime((np.abs(u) <= u_cr,), bodies, arguments)
-
-
-def saddle_node_onset(m: ArrayLike, zeta: ArrayLike, alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike, u_cr: ArrayLike) -> Floats:
-    """Reduced resultant of F_A and F_AA: coefficients of A^0, A^2, ...; its roots are candidates for the onset.
-
-    Equation (33). Domain: roots with 0 < A <= u_cr. Operations: 238. Error / u (1 + kappa): proved 0.82, 0.91,
-    6.01, 4.01, 8.17, -, -, -, -, -, -, -, -, -, -, 4.8, 5.04, 0.89, 0.89; measured 4.2. One array, coefficients by
-    rising power along its first axis.
-    """
-    m, zeta, alpha, beta, gamma, u_cr = floats(m, zeta, alpha, beta, gamma, u_cr)
-    t0 = alpha * alpha
-    zeta2 = zeta * zeta
-    zeta4 = zeta2 * zeta2
-    m2 = m * m
-    m4 = m2 * m2
-    t1 = m4 * zeta4
-    t2 = alpha * beta
-    t3 = alpha * gamma
-    beta2 = beta * beta
-    t4 = 9.0 * beta2
-    t5 = m2 * zeta4
-    gamma2 = gamma * gamma
-    beta4 = beta2 * beta2
-    t6 = alpha * beta4
-    t7 = beta4 * zeta2
-    t8 = beta2 * t3
-    t9 = t8 * zeta2
-    t10 = gamma2 * zeta2
-    t11 = 1600.0 * t10
-    t12 = t0 * t11
-    t13 = m2 * zeta2
-    t14 = t0 * zeta2
-    beta3 = beta * beta2
-    t15 = 27648.0 * beta3
-    t16 = alpha * t10
-    t17 = gamma * zeta2
-    t18 = beta2 * t17
-    t19 = beta * zeta2
-    gamma3 = gamma * gamma2
-    beta6 = beta3 * beta3
-    gamma4 = gamma2 * gamma2
-    t20 = gamma2 * zeta4
-    t21 = alpha * gamma3 * zeta4
-    t22 = gamma4 * t13
-    t23 = beta2 * t20
-    beta8 = beta4 * beta4
-    gamma5 = gamma * gamma4
-    gamma6 = gamma3 * gamma3
-    gamma7 = gamma * gamma6
-    gamma8 = gamma4 * gamma4
-    return stacked((m, zeta, alpha, beta, gamma, u_cr),
-        4096.0 * t0 * t1,
-        36864.0 * t1 * t2,
-        3840.0 * t1 * (20.0 * t3 + t4),
-        3072.0 * beta * t5 * (96.0 * beta * t0 + 35.0 * gamma * m2),
-        2880.0 * t5 * (25.0 * gamma2 * m2 + 64.0 * t2 * (8.0 * t3 + t4)),
-        1152.0 * t13 * (t12 - 1485.0 * t6 + 1242.0 * t7 + 9840.0 * t9),
-        -192.0 * t19 * (m2 * (9477.0 * beta4 - 133600.0 * t16 - 59040.0 * t18 + 88740.0 * t8) - t14 * t15),
-        -48.0 * zeta2 * (-alpha * t15 * zeta2 * (40.0 * t3 + t4) + 5.0 * gamma * m2 * (82053.0 * beta4 - 80000.0 *
-        t16 - 136080.0 * t18 + 264240.0 * t8)),
-        -288.0 * t19 * (-432.0 * beta * (t12 - 9.0 * t6 + 54.0 * t7 + 1040.0 * t9) + 25.0 * gamma2 * m2 * (11583.0 *
-        beta2 - 5560.0 * t17 + 14520.0 * t3)),
-        -32.0 * zeta2 * (-54.0 * beta * (318400.0 * beta2 * t16 - 8280.0 * beta4 * t3 - 729.0 * beta6 + 45360.0 *
-        gamma * t7 + 192000.0 * gamma3 * t14) + 125.0 * gamma3 * m2 * (42921.0 * beta2 - 4300.0 * t17 + 16100.0 *
-        t3)),
-        -170100000.0 * beta * t22 + 1140480000.0 * beta2 * t21 + 371692800.0 * beta4 * t20 - 17146080.0 * beta6 *
-        t17 + 59049.0 * beta8 + 207360000.0 * gamma4 * t0 * zeta4 - 75427200.0 * t10 * t6,
-        -60.0 * gamma * (27.0 * beta * (129600.0 * alpha * beta2 * gamma2 * zeta2 + 60840.0 * beta4 * gamma * zeta2
-        - 567.0 * beta6 - 704000.0 * t21 - 563200.0 * t23) + 1062500.0 * t22),
-        -4500.0 * gamma2 * (72320.0 * alpha * beta2 * gamma2 * zeta2 + 68868.0 * beta4 * gamma * zeta2 - 1377.0 *
-        beta6 - 96000.0 * t21 - 270080.0 * t23),
-        -22500.0 * beta * gamma3 * (-1053.0 * beta4 + 11840.0 * t16 + 25560.0 * t18 - 36800.0 * t20),
-        -56250.0 * gamma4 * (alpha * t11 - 999.0 * beta4 + 11184.0 * t18 - 4000.0 * t20),
-        37500.0 * beta * gamma5 * (2259.0 * beta2 - 10000.0 * t17),
-        187500.0 * gamma6 * (423.0 * beta2 - 500.0 * t17),
-        42187500.0 * beta * gamma7,
-        9765625.0 * gamma8,
-    )
-
-
-def saddle_nodes(F_0: ArrayLike, m: ArrayLike, zeta: ArrayLike, alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike, u_cr: ArrayLike) -> Floats:
-    """Reduced resultant of F and F_A: coefficients of A^0, A^2, ...; its roots are candidates for folds.
-
-    Equation from (24), (30). Domain: roots with 0 < A <= u_cr. Operations: 355. Error / u (1 + kappa): measured
-    1.9. One array, coefficients by rising power along its first axis.
-    """
-    F_0, m, zeta, alpha, beta, gamma, u_cr = floats(F_0, m, zeta, alpha, beta, gamma, u_cr)
-    excess = (F_0 - m) * (F_0 + m)
-    m2 = m * m
-    zeta2 = zeta * zeta
-    t0 = m2 * zeta2
-    t1 = excess * t0
-    excess2 = excess * excess
-    excess3 = excess * excess2
-    t2 = 6.0 * beta
-    t3 = beta * excess2
-    m4 = m2 * m2
-    t4 = alpha * alpha
-    t5 = t4 * zeta2
-    t6 = 128.0 * zeta2
-    zeta4 = zeta2 * zeta2
-    t7 = beta * zeta4
-    t8 = alpha * t7
-    beta2 = beta * beta
-    t9 = 9.0 * beta2
-    t10 = gamma * zeta2
-    t11 = 40.0 * t10
-    t12 = excess * gamma
-    t13 = 5.0 * t12
-    t14 = alpha * zeta2
-    t15 = beta * t14
-    t16 = alpha * gamma
-    t17 = m4 * zeta4
-    t18 = alpha * beta2
-    t19 = gamma * t7
-    gamma2 = gamma * gamma
-    t20 = excess * gamma2
-    t21 = -25.0 * t20
-    beta3 = beta * beta2
-    t22 = beta3 * zeta2
-    t23 = 120.0 * alpha
-    t24 = beta * t10
-    t25 = excess * t10
-    t26 = 48.0 * beta
-    beta4 = beta2 * beta2
-    t27 = 81.0 * excess
-    t28 = beta3 * zeta4
-    t29 = 1728.0 * alpha
-    t30 = t20 * zeta4
-    t31 = 200.0 * t20
-    t32 = 45.0 * beta2 * t12
-    t33 = 243.0 * beta4
-    t34 = t10 * t18
-    t35 = 400.0 * gamma2
-    t36 = 720.0 * t16
-    beta5 = beta * beta4
-    t37 = 243.0 * beta5
-    gamma3 = gamma * gamma2
-    t38 = excess * gamma3
-    t39 = beta3 * t10
-    t40 = beta4 * zeta4
-    t41 = beta2 * gamma2
-    t42 = gamma3 * zeta2
-    t43 = alpha * zeta4
-    t44 = 43200.0 * t20
-    gamma4 = gamma2 * gamma2
-    t45 = gamma2 * t5
-    t46 = 40.0 * t16
-    excess4 = excess2 * excess2
-    beta6 = beta3 * beta3
-    gamma5 = gamma * gamma4
-    gamma6 = gamma3 * gamma3
-    return stacked((F_0, m, zeta, alpha, beta, gamma, u_cr),
-        64.0 * excess4,
-        512.0 * t1 * (-excess * (alpha - 2.0 * zeta2) + 2.0 * m2 * zeta2),
-        t6 * (excess3 * t2 + 3.0 * m2 * t3 + 8.0 * m4 * t5),
-        -32.0 * excess3 * (-t11 + t9) + 4608.0 * m4 * t8 + 192.0 * t1 * (t13 + 16.0 * t15),
-        excess * m2 * t6 * (alpha * t11 + 36.0 * beta2 * zeta2 + 27.0 * t18) + 320.0 * t17 * (20.0 * t16 + t9) +
-        192.0 * t3 * (-t13 + t14 * t2 + 12.0 * t7),
-        96.0 * beta * t0 * (excess * t9 + t12 * t23 + 140.0 * t25 + t26 * t5) + 32.0 * excess2 * (240.0 * t19 + t21
-        - 27.0 * t22 + t23 * t24) + 6720.0 * m4 * t19,
-        4.0 * excess * (-1260.0 * beta2 * t25 + beta4 * t27 + 800.0 * t14 * t20 + t28 * t29 + 1600.0 * t30) + 3600.0
-        * gamma2 * t17 + 48.0 * t0 * (288.0 * alpha * t22 + alpha * t31 + 320.0 * t24 * t4 + t31 * zeta2 + t32),
-        -excess * t26 * (54.0 * alpha * beta3 * zeta2 + 200.0 * excess * gamma2 * zeta2 - 108.0 * t28 - t32 - t36 *
-        t7) + 32.0 * m2 * zeta2 * (-162.0 * alpha * beta4 + t33 * zeta2 + 1980.0 * t34 + t35 * t5),
-        -16.0 * t0 * (2160.0 * beta3 * t16 - 6000.0 * gamma2 * t15 + t37 + 125.0 * t38 - 2700.0 * t39) + 24.0 *
-        (-720.0 * alpha * beta3 * t25 - beta5 * t27 * zeta2 + 225.0 * excess2 * t41 - 250.0 * excess2 * t42 + 1260.0
-        * t12 * t28 + 2400.0 * t20 * t8 + 216.0 * t4 * t40),
-        64800.0 * beta2 * t30 - 14580.0 * beta4 * t25 + 7776.0 * beta5 * t43 + 34560.0 * gamma * t28 * t4 + 6000.0 *
-        gamma3 * t3 - 120.0 * m2 * t10 * (-735.0 * beta2 * t10 + beta2 * t36 - t14 * t35 + t33) - t18 * t44 * zeta2
-        + 32000.0 * t38 * t43,
-        -1200.0 * beta * gamma2 * m2 * zeta2 * (72.0 * beta2 - 65.0 * t10 + 80.0 * t16) + 2916.0 * beta6 * zeta4 +
-        2500.0 * excess2 * gamma4 - 48000.0 * t15 * t38 + 58320.0 * t16 * t40 - t22 * t44 + 60000.0 * t38 * t7 +
-        86400.0 * t4 * t41 * zeta4,
-        -100.0 * t10 * (200.0 * alpha * excess * gamma3 - 960.0 * beta * t45 + 630.0 * beta2 * excess * gamma2 +
-        10.0 * gamma2 * m2 * (126.0 * beta2 - 25.0 * t10 + t46) - t29 * t39 - t37 * zeta2 - 200.0 * t38 * zeta2),
-        -25.0 * gamma2 * zeta2 * (1800.0 * beta * excess * gamma2 + 3600.0 * beta * gamma2 * m2 - 3321.0 * beta4 *
-        zeta2 - 10080.0 * t34 - 1600.0 * t45),
-        -500.0 * t42 * (-360.0 * alpha * t24 + 50.0 * gamma2 * m2 - t21 - 297.0 * t22),
-        1250.0 * gamma4 * zeta4 * (117.0 * beta2 + t46),
-        75000.0 * gamma5 * t7,
-        15625.0 * gamma6 * zeta4,
-    )
 
 
 def h(A: ArrayLike, alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike, u_cr: ArrayLike) -> Any:
@@ -1274,6 +1076,12 @@ def detachment(A: ArrayLike, mu: ArrayLike, zeta: ArrayLike, alpha: ArrayLike, b
 
 if NATIVE is not None:
     globals().update(compiled(globals(), NATIVE.rod_spring()))
+#: functions that no Python code calls, which are in C, with their arguments; see generated/c/rod_spring.h
+FROM_C = {
+    "saddle_node_onset": "m zeta alpha beta gamma u_cr",
+    "saddle_nodes": "F_0 m zeta alpha beta gamma u_cr",
+}
+globals().update(from_c("rod_spring", FROM_C, stacked=["saddle_node_onset", "saddle_nodes"]))
 
 
 def _load_untruncated():

@@ -2,10 +2,8 @@
 """Mass on a vertical spring, with preloaded horizontal springs on a push-rod that detach at u_cr, force not
 truncated.
 
-Written by `make derive`; never edit.
-Input: derivations/mechanisms/rod_spring_untruncated.py, sha256 fcc795df716f7e2f9f892242cfe193b7bb6d648ba5e980491479e0dbe8cfd9fa
-Input: none but the equation of motion in derivations/asymmetric/curved.py
-Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
+Written by `make derive` from derivations/mechanisms/rod_spring_untruncated.py, derivations/asymmetric/curved.py;
+never edit.
 
 Everything is dimensionless. Arguments broadcast; each output has their common shape, NumPy scalars for scalars, where
 arguments are of type ArrayLike, and the shape of those that it depends on where they may be any kind of number. Each
@@ -204,25 +202,8 @@ def _common_1(A, delta_h):
     Z0_2 = 0.25 * lam0_2
     Z0_3 = 0.25 * lam0_3
     return (
-        u_cr,
-        c,
-        root,
-        x2,
-        third,
-        lam0_1,
-        lam0_2,
-        lam0_3,
-        term0_0,
-        term01_0,
-        term02_0,
-        term03_0,
-        X0_0,
-        X0_1,
-        Z0_2,
-        Z0_3,
-        Y0_0,
-        Z0_1,
-        Z0_0,
+        u_cr, c, root, x2, third, lam0_1, lam0_2, lam0_3, term0_0, term01_0, term02_0, term03_0, X0_0, X0_1, Z0_2,
+        Z0_3, Y0_0, Z0_1, Z0_0,
     )
 
 

@@ -1,10 +1,8 @@
 """Mass on a vertical spring, with preloaded horizontal springs on a push-rod that detach at u_cr, force not
 truncated: in balls.
 
-Written by `make derive`; never edit.
-Input: derivations/mechanisms/rod_spring_untruncated.py, sha256 fcc795df716f7e2f9f892242cfe193b7bb6d648ba5e980491479e0dbe8cfd9fa
-Input: none but the equation of motion in derivations/asymmetric/curved.py
-Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
+Written by `make derive` from derivations/mechanisms/rod_spring_untruncated.py, derivations/asymmetric/curved.py;
+never edit.
 
 Arguments are `flint.arb`, or numbers that are exact; each output holds the value of the function of the same name,
 to the digits of `flint.ctx`. passed_n is meant where A exceeds n breakpoints; beyond: by how much it exceeds the

@@ -1,9 +1,7 @@
 
 """The average of a force that is known by its values and those of its derivatives, u = A sine.
 
-Written by `make derive`; never edit.
-Input: none but the equation of motion in derivations/forces/quadrature.py, derivations/forces/sampled.py
-Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
+Written by `make derive` from derivations/forces/quadrature.py, derivations/forces/sampled.py; never edit.
 
 Everything is dimensionless. Arguments broadcast; each output has their common shape, NumPy scalars for scalars, where
 arguments are of type ArrayLike, and the shape of those that it depends on where they may be any kind of number. Each
@@ -136,8 +134,8 @@ def bent_end_3(A: Any, b: Any, lost_3: Any) -> Any:
     b5 = b * b4
     return 1.2732395447351628 * b5 * lost_3 / (A5 * root)
 
-#: what only the compiled solvers call, with its arguments; all else is said in generated/c/sampled.h
-OF_SOLVERS = {
+#: functions that no Python code calls, which are in C, with their arguments; see generated/c/sampled.h
+FROM_C = {
     "averaged_terms": "sine f f_u f_uu f_uuu",
     "averaged_end": "A b lost_0 lost_1 lost_2",
     "intercept_terms": "A sine cosine f_uu",
@@ -145,4 +143,4 @@ OF_SOLVERS = {
     "harmonics_terms": "sine f f_u f_uu f_uuu",
     "harmonics_end": "A b lost_0 lost_1 lost_2",
 }
-globals().update(from_c("sampled", OF_SOLVERS))
+globals().update(from_c("sampled", FROM_C))

@@ -1,7 +1,7 @@
 """What the dimensionless numbers of every oscillator are measured in, by name (4): powers of k_v, L and m.
 
-Written by `make derive`; never edit.
-Input: derivations/paper/equation_of_motion.py, derivations/extensions/inertia.py, derivations/extensions/scaling.py
+Written by `make derive` from derivations/paper/equation_of_motion.py, derivations/extensions/inertia.py,
+derivations/extensions/scaling.py; never edit.
 """
 
 from slowflow.support.record import Scale

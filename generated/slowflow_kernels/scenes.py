@@ -1,7 +1,6 @@
 """The slow flow of an oscillator, by which of its damping terms vanish. Takes mu and zeta; returns a module.
 
-Written by `make derive`; never edit.
-Input: derivations/paper/slow_flow.py
+Written by `make derive` from derivations/paper/slow_flow.py; never edit.
 """
 
 from functools import cache

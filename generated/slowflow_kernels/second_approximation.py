@@ -1,9 +1,8 @@
 
 """Second approximation of any mechanism, with higher harmonics, in A = A_1 + a_3 + a_5.
 
-Written by `make derive`; never edit.
-Input: none but the equation of motion in derivations/paper/averaging.py, derivations/paper/slow_flow.py, derivations/extensions/second_approximation.py, derivations/extensions/wave.py
-Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
+Written by `make derive` from derivations/paper/averaging.py, derivations/paper/slow_flow.py,
+derivations/extensions/second_approximation.py, derivations/extensions/wave.py; never edit.
 
 Everything is dimensionless. Arguments broadcast; each output has their common shape, NumPy scalars for scalars, where
 arguments are of type ArrayLike, and the shape of those that it depends on where they may be any kind of number. Each
@@ -144,15 +143,13 @@ def response(Omega: ArrayLike, A: ArrayLike, F_0: ArrayLike, m: ArrayLike, zeta:
     t36 = 2.0 * I
     t37 = 2.0 * R
     return broadcast_outputs((Omega, A, F_0, m, zeta, h, h_A, h_AA, h_3, h_3_A, h_3_AA, h_5, h_5_A, h_5_AA),
-        u_max,
-        A_1,
+        u_max, A_1,
         np.arctan2(t35, -R),
         R,
         R * R + (-F_0 - t35) * (F_0 + I),
         I_A * t36 + R_A * t37,
         I_Omega * t36 + R_Omega * t37,
-        R_A,
-        R_Omega,
+        R_A, R_Omega,
     )
 
 
@@ -307,9 +304,9 @@ def wave(turned: ArrayLike, Omega: ArrayLike, m: ArrayLike, A_1: ArrayLike, sine
 
 if NATIVE is not None:
     globals().update(compiled(globals(), NATIVE.second_approximation()))
-#: what only the compiled solvers call, with its arguments; all else is said in generated/c/second_approximation.h
-OF_SOLVERS = {
+#: functions that no Python code calls, which are in C, with their arguments; see generated/c/second_approximation.h
+FROM_C = {
     "detachment_by_inertia": "Omega A m zeta h h_A h_AA h_3 h_3_A h_3_AA h_5 h_5_A h_5_AA",
     "folds": "Omega A F_0 m zeta h h_A h_AA h_AAA h_3 h_3_A h_3_AA h_3_AAA h_5 h_5_A h_5_AA h_5_AAA",
 }
-globals().update(from_c("second_approximation", OF_SOLVERS))
+globals().update(from_c("second_approximation", FROM_C))

@@ -1,9 +1,9 @@
 
 """How answers move with the parameters: what the implicit function theorem asks for.
 
-Written by `make derive`; never edit.
-Input: none but the equation of motion in derivations/paper/averaging.py, derivations/paper/slow_flow.py, derivations/extensions/dissipation.py, derivations/extensions/inertia.py, derivations/systems/gradients.py
-Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
+Written by `make derive` from derivations/paper/averaging.py, derivations/paper/slow_flow.py,
+derivations/extensions/dissipation.py, derivations/extensions/inertia.py, derivations/systems/gradients.py; never
+edit.
 
 Everything is dimensionless. Arguments broadcast; each output has their common shape, NumPy scalars for scalars, where
 arguments are of type ArrayLike, and the shape of those that it depends on where they may be any kind of number. Each
@@ -113,36 +113,27 @@ def slopes(Omega: Any, A: Any, R: Any, I_0: Any, I_0A: Any, I_0AA: Any, I_0AAA: 
         -S_Omega + t7 * (I * t15 + t12),
         -S_F,
         2.0 * (I * I_0AA + I * t17 + I * t19 + I * t21 + R * h_AA + t10 * t10 + t5 * t5),
-        t27,
-        0.0,
+        t27, 0.0,
         2.0 * (I * I_0AAA + 6.0 * I * t1 + I * t16 * zeta_AA + I * t18 * zeta_AAA + 2.0 * I_0AA * t10 + R * h_AAA +
         3.0 * h_AA * t5 + t10 * (I_0AA + t32) + t20 * t29 + t29 * zeta_A + t30 * t31),
         2.0 * (2.0 * I * t33 + I_0AA * t34 + h_AA * t18 + t10 * t24 + t10 * t25 + t15 * t18 * t20 + t28 * t5 + t7 *
         zeta_AA * (I + t35) + 2.0 * zeta_A * (t30 + t35)),
-        0.0,
-        t27,
+        0.0, t27,
         -S_OmegaOmega + t7 * (I * t36 + t11 + t37 + 4.0 * t6),
-        -S_FOmega,
-        t5,
-        t18,
-        0.0, 0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0,
+        -S_FOmega, t5, t18, 0.0, 0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0,
         t38 * t41 + t42 * t44,
         t7 * (t15 * t43 + t16 * t40) + np.abs(S_Omega),
         np.abs(S_F),
         A * t48 + t20 * t47 + 2.0 * t38 * t38 + t41 * t45 + 2.0 * t42 * t42 + t44 * t46 + t47 * zeta_A,
-        t51,
-        0.0,
+        t51, 0.0,
         A * t47 * zeta_AAA + 12.0 * t1 * t43 + t20 * t53 + 6.0 * t38 * t45 + t41 * np.abs(h_AAA) + 4.0 * t42 * t46 +
         t44 * np.abs(I_0AAA) + t48 + t52 * t55 * zeta_AA + t53 * zeta_A + t54 * (t32 + t46),
         t15 * t46 * t7 + 4.0 * t20 * t35 + t22 * zeta_AA * (t35 + t43) + t24 * t54 + t25 * t54 + 4.0 * t33 * t43 +
         t38 * t52 + t45 * t49 + 4.0 * zeta_A * (t35 + t55),
-        0.0,
-        t51,
+        0.0, t51,
         t7 * (t36 * t43 + t37 + 2.0 * t39 + 6.0 * t6) + np.abs(S_OmegaOmega),
         np.abs(S_FOmega),
-        t38,
-        t18,
-        0.0, 0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0,
+        t38, t18, 0.0, 0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0,
     )
 
 
@@ -186,16 +177,13 @@ def right(Omega: Any, A: Any, R: Any, I_0: Any, I_0A: Any, I_0AA: Any, zeta: Any
         t19) + R * h_AAp + h_AA * h_p + 2.0 * h_Ap * t9 + t17 * t18 * zeta_p + t18 * t20 * zeta_Ap + t6 * (I_0AA +
         t15 + t4 * (A * Omega2 * t16 + t21 + zeta_A) + t5 * zeta_AA) + t8 * zeta_AAp),
         -t10 * (h_p * t4 + t12 * t5 + t14 * t2 + t6 * (t0 + t10 * t21 + t16 * t2) + 2.0 * t7),
-        -h_p,
-        forcing_p,
-        frequency_p,
-        end_p,
+        -h_p, forcing_p, frequency_p, end_p,
     )
 
-#: what only the compiled solvers call, with its arguments; all else is said in generated/c/sensitivities.h
-OF_SOLVERS = {
+#: functions that no Python code calls, which are in C, with their arguments; see generated/c/sensitivities.h
+FROM_C = {
     "of_state": "Omega A I_0 I_0A zeta zeta_A d d_3 h h_A force force_Omega force_F h_p I_0p zeta_p d_p d_3p A_p Omega_p F_0_p",
     "by_force": "Omega F_0",
     "by_inertia": "Omega F_0",
 }
-globals().update(from_c("sensitivities", OF_SOLVERS))
+globals().update(from_c("sensitivities", FROM_C))

@@ -1,9 +1,9 @@
 
 """Slow flow of any mechanism, in h = H - A and its derivatives.
 
-Written by `make derive`; never edit.
-Input: none but the equation of motion in derivations/paper/averaging.py, derivations/paper/slow_flow.py, derivations/asymmetric/offset.py, derivations/systems/along.py, derivations/systems/slopes.py, derivations/systems/newton.py, derivations/paper/critical_forcings.py
-Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
+Written by `make derive` from derivations/paper/averaging.py, derivations/paper/slow_flow.py,
+derivations/asymmetric/offset.py, derivations/systems/along.py, derivations/systems/slopes.py,
+derivations/systems/newton.py, derivations/paper/critical_forcings.py; never edit.
 
 Everything is dimensionless. Arguments broadcast; each output has their common shape, NumPy scalars for scalars, where
 arguments are of type ArrayLike, and the shape of those that it depends on where they may be any kind of number. Each
@@ -375,8 +375,7 @@ def cusps(A: ArrayLike, zeta: ArrayLike, h: ArrayLike, h_A: ArrayLike, h_AA: Arr
     half_e = 0.5 * A * h_AA + 2.0 * t0
     t1 = 4.0 * h_A * t0 - h_AA * k
     return broadcast_outputs((A, zeta, h, h_A, h_AA, k),
-        half_e,
-        -t1,
+        half_e, -t1,
         h_A + half_e,
         h * h_AA + h_A * h_A,
         half_e * half_e + t1,
@@ -472,8 +471,8 @@ def Omega_A(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: Ar
 
 if NATIVE is not None:
     globals().update(compiled(globals(), NATIVE.slow_flow()))
-#: what only the compiled solvers call, with its arguments; all else is said in generated/c/slow_flow.h
-OF_SOLVERS = {
+#: functions that no Python code calls, which are in C, with their arguments; see generated/c/slow_flow.h
+FROM_C = {
     "rest": "F_0 m h h_A",
     "least_restoring": "F_0 m",
     "most_restoring": "A F_0 m zeta",
@@ -492,4 +491,4 @@ OF_SOLVERS = {
     "isola_hessian": "Omega A m zeta h_AA",
     "tail": "Omega F_0 m",
 }
-globals().update(from_c("slow_flow", OF_SOLVERS))
+globals().update(from_c("slow_flow", FROM_C))

@@ -1,8 +1,8 @@
 """Slow flow of any mechanism, in h = H - A and its derivatives: in balls.
 
-Written by `make derive`; never edit.
-Input: none but the equation of motion in derivations/paper/averaging.py, derivations/paper/slow_flow.py, derivations/asymmetric/offset.py, derivations/systems/along.py, derivations/systems/slopes.py, derivations/systems/newton.py, derivations/paper/critical_forcings.py
-Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
+Written by `make derive` from derivations/paper/averaging.py, derivations/paper/slow_flow.py,
+derivations/asymmetric/offset.py, derivations/systems/along.py, derivations/systems/slopes.py,
+derivations/systems/newton.py, derivations/paper/critical_forcings.py; never edit.
 
 Arguments are `flint.arb`, or numbers that are exact; each output holds the value of the function of the same name,
 to the digits of `flint.ctx`. passed_n is meant where A exceeds n breakpoints; beyond: by how much it exceeds the

@@ -1,9 +1,9 @@
 
 """Slow flow of any mechanism, in h = H - A and its derivatives, in the scene mu = 0 and zeta = 0.
 
-Written by `make derive`; never edit.
-Input: none but the equation of motion in derivations/paper/averaging.py, derivations/paper/slow_flow.py, derivations/asymmetric/offset.py, derivations/systems/along.py, derivations/systems/slopes.py, derivations/systems/newton.py, derivations/paper/critical_forcings.py
-Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
+Written by `make derive` from derivations/paper/averaging.py, derivations/paper/slow_flow.py,
+derivations/asymmetric/offset.py, derivations/systems/along.py, derivations/systems/slopes.py,
+derivations/systems/newton.py, derivations/paper/critical_forcings.py; never edit.
 
 Everything is dimensionless. Arguments broadcast; each output has their common shape, NumPy scalars for scalars, where
 arguments are of type ArrayLike, and the shape of those that it depends on where they may be any kind of number. Each

@@ -1,9 +1,9 @@
 
 """Slow flow of any mechanism, in h = H - A and its derivatives, in the scene zeta = 0.
 
-Written by `make derive`; never edit.
-Input: none but the equation of motion in derivations/paper/averaging.py, derivations/paper/slow_flow.py, derivations/asymmetric/offset.py, derivations/systems/along.py, derivations/systems/slopes.py, derivations/systems/newton.py, derivations/paper/critical_forcings.py
-Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
+Written by `make derive` from derivations/paper/averaging.py, derivations/paper/slow_flow.py,
+derivations/asymmetric/offset.py, derivations/systems/along.py, derivations/systems/slopes.py,
+derivations/systems/newton.py, derivations/paper/critical_forcings.py; never edit.
 
 Everything is dimensionless. Arguments broadcast; each output has their common shape, NumPy scalars for scalars, where
 arguments are of type ArrayLike, and the shape of those that it depends on where they may be any kind of number. Each
@@ -79,11 +79,11 @@ def fold(F_0: ArrayLike, m: ArrayLike, k: ArrayLike, k_A: ArrayLike) -> tuple[An
 
 if NATIVE is not None:
     globals().update(compiled(globals(), NATIVE.slow_flow_zeta0()))
-#: what only the compiled solvers call, with its arguments; all else is said in generated/c/slow_flow_zeta0.h
-OF_SOLVERS = {
+#: functions that no Python code calls, which are in C, with their arguments; see generated/c/slow_flow_zeta0.h
+FROM_C = {
     "undamped_Omega": "h_A",
     "undamped_level": "m k",
     "undamped_rises": "h_AA h_AAA k",
     "undamped": "A h h_A h_AA h_AAA",
 }
-globals().update(from_c("slow_flow_zeta0", OF_SOLVERS))
+globals().update(from_c("slow_flow_zeta0", FROM_C))

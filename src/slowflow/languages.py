@@ -191,7 +191,7 @@ def matlab(module: ModuleType) -> str:
     methods.append(SHARED.replace("NAME", writer.name))
     about = [(ast.get_docstring(tree) or "").partition("\n\n")[0], WRITTEN]
     left_out = [one.name for one in kernels if one.name in module.__all__ and one.name not in writer.written]
-    if left_out := [*left_out, *getattr(module, "OF_SOLVERS", ())]:
+    if left_out := [*left_out, *getattr(module, "FROM_C", ())]:
         about.append(f"Without kernels on intervals, by quadrature or of solvers alone: {', '.join(left_out)}.")
     lines = [f"    % {line}" for text in about for line in textwrap.wrap(text, 110)]
     body = textwrap.indent("\n".join(methods), " " * 8)

@@ -59,12 +59,12 @@ def functions(module: str) -> set[str]:
     """Public functions that a generated module defines itself, or has from C."""
     tree = ast.parse((PACKAGE / f"{module}.py").read_text())
     own = {node.name for node in tree.body if isinstance(node, ast.FunctionDef) and not node.name.startswith("_")}
-    return own | {*of_solvers(module)}
+    return own | {*from_c(module)}
 
 
-def of_solvers(module: str) -> dict[str, str]:
+def from_c(module: str) -> dict[str, str]:
     """The functions that a generated module has from C, with their arguments."""
-    return getattr(importlib.import_module(f"slowflow_kernels.{module}"), "OF_SOLVERS", {})
+    return getattr(importlib.import_module(f"slowflow_kernels.{module}"), "FROM_C", {})
 
 
 def worst(values: np.ndarray, row: dict) -> float:
@@ -245,7 +245,7 @@ def test_no_piece_without_preload(package):
 def test_what_type_checkers_are_told_holds(package, module):
     """Arguments and results that the signatures of a module's public functions state, as loops are compiled of them."""
     tree = ast.parse((PACKAGE / f"{module}.py").read_text())
-    public = {*package[module].__all__}.difference(of_solvers(module))
+    public = {*package[module].__all__}.difference(from_c(module))
     stubs = {node.name: node for node in tree.body if isinstance(node, ast.FunctionDef) and node.name in public}
     assert all(node.returns is not None for node in stubs.values())
     borrowed = {alias.name for node in tree.body if isinstance(node, ast.ImportFrom) for alias in node.names}

@@ -38,10 +38,10 @@ def prototypes() -> dict[str, tuple[str, list[str]]]:
     return found
 
 
-def of_solvers() -> set[str]:
+def from_c() -> set[str]:
     """The functions that Python has no text of."""
     modules = {name: importlib.import_module(f"slowflow_kernels.{name}") for name in MODULES}
-    return {f"{name}_{kernel}" for name, module in modules.items() for kernel in getattr(module, "OF_SOLVERS", ())}
+    return {f"{name}_{kernel}" for name, module in modules.items() for kernel in getattr(module, "FROM_C", ())}
 
 
 def called() -> set[str]:
@@ -62,7 +62,7 @@ def called() -> set[str]:
     found = {word for text in texts for word in WORD.findall(text)}
     looped = {path.stem: path.read_text() for path in loops}
     listed = {f"{module}_{name}" for module, text in looped.items() for name in LISTED.findall(text)}
-    found |= {word for text in looped.values() for word in WORD.findall(text)}.union(listed).difference(of_solvers())
+    found |= {word for text in looped.values() for word in WORD.findall(text)}.union(listed).difference(from_c())
     pasted = {prefix for text in texts for prefix in PASTED.findall(text)}
     left = [name for name in bodies if name in found or any(map(name.startswith, pasted))]
     reached: set[str] = set()

@@ -80,7 +80,7 @@ def kernels_of(module) -> list[str]:
         return []
     record = getattr(module, "MECHANISM", None)
     apart = {function.__name__ for law in record.pieces for function in law[:2]} | {"steps"} if record else set()
-    apart |= {*getattr(module, "OF_SOLVERS", ())}
+    apart |= {*getattr(module, "FROM_C", ())}
     names = [name for name in module.__all__ if callable(getattr(module, name)) and name not in apart]
     return [name for name in names if not is_of_gradients(name)]
 

@@ -563,6 +563,7 @@ def state_resultants(of: Formulas, derived: OfMechanism) -> None:
         domain,
         arguments=(m, zeta),
         returns="stack",
+        in_python=False,
     )
     of.add(
         "saddle_nodes",
@@ -572,6 +573,7 @@ def state_resultants(of: Formulas, derived: OfMechanism) -> None:
         domain,
         arguments=(F_0, m, zeta),
         returns="stack",
+        in_python=False,
     )
 
 

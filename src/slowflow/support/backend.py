@@ -74,19 +74,24 @@ def in_tuple(kernel: Callable[..., Any]) -> Callable[..., tuple[Any]]:
     return one
 
 
-def from_c(module: str, names: Mapping[str, str]) -> dict[str, Callable[..., Any]]:
-    """The kernels of a generated module that have no text in Python: by name, with the names of their arguments."""
+def from_c(module: str, names: Mapping[str, str], stacked: Sequence[str] = ()) -> dict[str, Callable[..., Any]]:
+    """The kernels of a generated module that have no text in Python: by name, with the names of their arguments.
+
+    Those `stacked` give a polynomial's coefficients, along a new first axis.
+    """
     ufuncs = {ufunc.__name__: ufunc for ufunc in getattr(loaded(EXTENSION), module)()}
     found = {}
     for kernel, arguments in names.items():
-        found[kernel] = called = _called(arguments.split(), ufuncs[kernel])
+        called = _called(arguments.split(), ufuncs[kernel])
         called.__module__, called.__name__, called.__qualname__ = f"slowflow_kernels.{module}", kernel, kernel
-        called.__doc__ = f"Called by the compiled solvers; generated/c/{module}.h documents it."
+        called.__doc__ = f"In C alone; generated/c/{module}.h documents it."
         results = ["Any"] * ufuncs[kernel].nout
-        returns = f"tuple[{', '.join(results)}]" if len(results) > 1 else "Any"
+        several = f"tuple[{', '.join(results)}]" if len(results) > 1 else "Any"
+        returns = "Floats" if kernel in stacked else several
         called.__annotations__ = dict.fromkeys(arguments.split(), "ArrayLike") | {"return": returns}
         of_type = [Parameter(name, _BY_NAME, annotation="ArrayLike") for name in arguments.split()]
         called.__signature__ = Signature(of_type, return_annotation=returns)  # type: ignore[attr-defined]
+        found[kernel] = coefficients_of(called) if kernel in stacked else called
     return found
 
 

@@ -26,7 +26,7 @@ def in_jax(module: ModuleType) -> SimpleNamespace:
     Returns
     -------
     SimpleNamespace
-        The public functions by name, without those that only the compiled solvers call; dimensionless: arguments
+        The public functions by name, without those in C alone (`FROM_C`); dimensionless: arguments
         broadcast; results are arrays of JAX. They can be compiled by `jax.jit` and differentiated by `jax.grad` with
         respect to any argument. Where there are several regimes each amplitude is evaluated in its own one, in turn:
         pass arrays instead of applying `jax.vmap`.
@@ -51,16 +51,16 @@ def in_jax(module: ModuleType) -> SimpleNamespace:
     shared: dict[str, Any] = {one.__name__: one for one in (floats, broadcast_outputs, stacked, by_regime)}
     shared["number_by_regime"] = FunctionType(broadcast.number_by_regime.__code__, shared)  # by this `by_regime`
     own = {**vars(module), "np": jnp}
-    of_solvers = getattr(module, "OF_SOLVERS", {})
+    from_c = getattr(module, "FROM_C", {})
     for name, value in vars(module).items():
         kernel = inspect.unwrap(value) if callable(value) else value
         if name in shared:
             own[name] = shared[name]
         elif isinstance(value, ModuleType) and "Written by `make derive`" in (value.__doc__ or ""):
             own[name] = in_jax(value)
-        elif name not in of_solvers and isinstance(kernel, FunctionType) and kernel.__module__ == module.__name__:
+        elif name not in from_c and isinstance(kernel, FunctionType) and kernel.__module__ == module.__name__:
             own[name] = functools.update_wrapper(FunctionType(kernel.__code__, own, name), kernel)
-    printed = (name for name in module.__all__ if name not in of_solvers)
+    printed = (name for name in module.__all__ if name not in from_c)
     return SimpleNamespace(**{name: own[name] for name in printed if isinstance(own[name], FunctionType)})
 
 

@@ -17,7 +17,6 @@ import sympy as sp
 from ....forces.elliptic import Series, carlson
 from ...form import Module
 from ...passes import straight_line
-from ...provenance import tools
 from ...views import Code, Line, templates, view
 from .. import interval
 from ..c.printer import CPrinter
@@ -37,7 +36,7 @@ ABOUT = {
 def files(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
     """Every file."""
     integrals = templates(Path(__file__).parent).get_template("carlson.h.jinja")
-    result = {"native/bounded_carlson.h": integrals.render(tools=tools(), series=[printed(one) for one in carlson()])}
+    result = {"native/bounded_carlson.h": integrals.render(series=[printed(one) for one in carlson()])}
     for module in modules:
         if module.bounded:
             kernels = [view(kernel, code[module.name][kernel.name], C) for kernel in module.bounded]

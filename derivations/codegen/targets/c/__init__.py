@@ -17,7 +17,6 @@ from ...arctangent import estrin, series
 from ...common import with_calls
 from ...conventions import CONVENTIONS
 from ...form import Module
-from ...provenance import tools
 from ...views import (
     Calls,
     Code,
@@ -43,8 +42,8 @@ def files(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
     """Every file of this language."""
     environment = templates(Path(__file__).parent)
     result = {
-        "c/inline.h": environment.get_template("inline.h.jinja").render(tools=tools()),
-        "c/angles.h": environment.get_template("angles.h.jinja").render(tools=tools(), **angles()),
+        "c/inline.h": environment.get_template("inline.h.jinja").render(),
+        "c/angles.h": environment.get_template("angles.h.jinja").render(**angles()),
     }
     with_symbols = headers(modules, code)
     result |= with_symbols | exported(with_symbols)
@@ -88,7 +87,7 @@ def exported(printed: Iterable[str]) -> dict[str, str]:
     """A source that gives each function of these headers a symbol, by file name."""
     names = [Path(file).stem for file in printed]
     template = templates(Path(__file__).parent).get_template("exported.c.jinja")
-    return {str(Path(next(iter(printed))).with_name("exported.c")): template.render(names=names, tools=tools())}
+    return {str(Path(next(iter(printed))).with_name("exported.c")): template.render(names=names)}
 
 
 def motion(module: Module) -> str:

@@ -17,7 +17,6 @@ import sympy as sp
 from ....forces.elliptic import FEW
 from ....mechanisms import DAMPING, FORCING, Mechanism, Parameter
 from ...form import GENERAL, Kernel, Module
-from ...provenance import tools
 from ...views import templates
 from .. import bounded, interval, pair
 from ..printing import literal
@@ -109,7 +108,6 @@ def _rendered(template: str, **content: object) -> str:
             forcing=FORCING.symbol,
             few=literal(FEW),
             show=CPrinter().doprint,
-            tools=tools(),
         )
     )
 

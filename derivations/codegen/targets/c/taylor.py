@@ -42,7 +42,6 @@ from ...compensated import copysign
 from ...conventions import FORCE_DEGREE
 from ...form import Let, Module
 from ...passes import is_constant, straight_line
-from ...provenance import tools
 from ..printing import Unprintable, literal
 from .printer import CPrinter
 
@@ -213,7 +212,6 @@ def _rendered(
 ) -> str:
     found = list(laws(modules))
     return environment.get_template(template).render(
-        tools=tools(),
         laws=found,
         rule=[(literal(node), literal(weight)) for node, weight in rule],
         rules=rules(),

@@ -106,7 +106,7 @@ def text(module: Module, code: Code) -> str:
             enclosed=[view(kernel, code[kernel.name], ENCLOSED) for kernel in module.on_intervals],
             has_balls=module.native and bool(module.in_balls),
             constants={name: constant(value) for name, value in module.constants.items()},
-            compiled=module.native and any(one not in module.of_solvers for one in module.looped),
+            compiled=module.native and any(one not in module.from_c for one in module.looped),
             heading=heading(module),
         )
     )
@@ -151,7 +151,7 @@ def exported(module: Module) -> list[str]:
     """Public names of a Python module, sorted as in an import."""
     own = [
         *module.constants,
-        *(one.name for one in (*printed(module), *module.of_solvers, *module.selections, *module.compositions)),
+        *(one.name for one in (*printed(module), *module.from_c, *module.selections, *module.compositions)),
         *(name for names in module.borrowed.values() for name in names),
         *(["MECHANISM"] if module.record else []),
     ]

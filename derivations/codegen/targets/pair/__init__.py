@@ -21,7 +21,6 @@ from ....symbols import A
 from ...arctangent import PAIRS_CUT, in_pairs
 from ...form import Kernel, Module
 from ...passes import Program
-from ...provenance import tools
 from ...views import BranchView, Code, KernelView, Line, templates, view, wrapped
 from .. import interval
 from ..c.printer import CPrinter
@@ -43,7 +42,7 @@ ABOUT = {
 
 def files(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
     """Every file."""
-    angle = templates(Path(__file__).parent).get_template("angles.h.jinja").render(tools=tools(), **angles())
+    angle = templates(Path(__file__).parent).get_template("angles.h.jinja").render(**angles())
     return {"native/pair_angle_series.h": angle} | headers(modules, code)
 
 

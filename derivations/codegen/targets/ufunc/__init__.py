@@ -13,7 +13,6 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from ...form import Called, Composition, Kernel, Module, Selection, TwofoldKernel
-from ...provenance import tools
 from ...views import composition_view, templates
 from ..c import calls
 from ..c.records import guards_of
@@ -78,7 +77,6 @@ def files(modules: Sequence[Module]) -> dict[str, str]:
             listed=" ".join(one.listed.replace(" ", UNBROKEN) for one in ufuncs if one.listed),
             lists=list(dict.fromkeys(one.regimes for one in ufuncs if one.guards)),
             choice=choice,
-            tools=tools(),
         )
         result[f"native/{module.name}.c"] = text
     result["native/_native.c"] = environment.get_template("init.c.jinja").render(modules=looped)
