@@ -191,19 +191,6 @@ def test_onset_is_where_folds_come_with_the_level_of_the_locus(osc):
             assert np.hypot((locus.Omega - Omega) / Omega, (locus.A - A) / A).min() < 0.01
 
 
-def test_friction_that_ends_at_u_cr_makes_a_corner():
-    """F_A falls by I m/u_cr: folds sit on u_cr where that turns its sign."""
-    osc = LOOSE
-    assert osc.model.jumps == (0.0,)
-    found = osc.saddle_nodes(0.0502)
-    at = found.Omega[found.corner]
-    assert at.size == 2 and (found.A[found.corner] == osc.breakpoints[0]).all()
-    nearby = (at[:, np.newaxis] * (1 + np.array([-1e-5, 1e-5]))).ravel()
-    states = osc.amplitudes(Omega=nearby, F_0=0.0502)
-    assert [np.count_nonzero(states.Omega == w) for w in nearby] == [3, 1, 1, 3]
-    assert osc.replace(contact="throughout").saddle_nodes(0.0502).A.size == 0
-
-
 @pytest.mark.slow
 def test_corners_beyond_where_friction_ends_are_without_it():
     """A step of the force beyond the first breakpoint: folds on it have the friction that is left there."""
@@ -222,19 +209,6 @@ def test_corners_beyond_where_friction_ends_are_without_it():
     onset = pushed.saddle_node_onset()
     assert onset.kind == "corner" and onset.A == 0.6
     assert [pushed.saddle_nodes(onset.F_SN * ratio).A.size for ratio in (1 - 1e-6, 1 + 1e-6)] == [0, 2]
-
-
-def test_friction_that_ends_at_u_cr_leaves_an_isola():
-    """On the backbone I = m u_cr/A + 2 zeta A Omega is least beyond u_cr: there a curve is born."""
-    osc = LOOSE
-    onset = osc.saddle_node_onset()
-    assert onset.kind == "isola" and osc.breakpoints[0] < onset.A and onset.F_SN < osc.detachment().F_cr
-    A = np.linspace(onset.A - 0.01, onset.A + 0.01, 2001)
-    least = balances(osc, osc.backbone(A), A)[1]
-    assert onset.A == pytest.approx(A[least.argmin()], abs=1e-3)
-    assert least.min() == pytest.approx(onset.F_SN, rel=1e-3)
-    curve = osc.frequency_response(1.02 * onset.F_SN)
-    assert np.unique(curve.branch).size == 2 and curve.isola == (False, True)
 
 
 STRUCTURAL = [

@@ -252,18 +252,6 @@ def test_onset_where_the_force_jumps_moves_as_its_closed_form(size):
     assert {by: gradient["F_SN", by] for by in gradient.by} == pytest.approx(known, rel=1e-14, abs=1e-14 * size)
 
 
-def test_shared_stiffness_moves_an_answer_by_its_product():
-    """The force depends on the product lam r only."""
-    for of in random_oscillators(2):
-        if isinstance(of, Isolator):
-            for answer in (of.saddle_nodes(F_0), of.saddle_node_onset(), of.detachment(), of.peak(F_0)):
-                gradient = answer.gradient()
-                for x in gradient.of:
-                    np.testing.assert_allclose(
-                        of.lam * gradient[x, "lam"], of.r * gradient[x, "r"], rtol=1e-13, atol=1e-15
-                    )
-
-
 # ---- where there is none
 
 

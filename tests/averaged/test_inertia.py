@@ -57,24 +57,6 @@ def test_cusps_are_those_of_a_force_at_the_certified_level():
     assert compared > 30
 
 
-def test_every_state_of_a_fine_grid_of_amplitudes_is_found():
-    rng = np.random.default_rng(20)
-    A = np.concatenate((np.geomspace(1e-6, 1e3, 100001), [0.0]))[:-1]
-    for _ in range(40):
-        mu, zeta, beta = rng.choice([0, 10 ** rng.uniform(-4, -1.5)]), 10 ** rng.uniform(-2.5, -0.3), rng.uniform(-3, 8)
-        osc = Duffing(rng.choice([1.0, 0.3, -0.5]), beta, mu, zeta, excitation="base")
-        Y = 10 ** rng.uniform(-2.5, 0)
-        model = osc.model
-        up_to = np.inf if osc.closes(Y) else 10 * Y
-        h = model.averaged(A)[0]
-        for Omega in np.exp(rng.uniform(np.log(0.1), np.log(4), 4)):
-            F = (A * Omega**2 + h) ** 2 + (2 * zeta * A * Omega + model.m) ** 2 - (Y * Omega**2) ** 2
-            shown = A[1:][((F[:-1] < 0) != (F[1:] < 0)) & (A[1:] < up_to)]
-            found = osc.amplitudes(Omega=Omega, F_0=Y).A
-            assert np.count_nonzero((found > 0) & (found < up_to)) == shown.size
-            assert (found == 0).any() == (Y * Omega**2 <= model.m)
-
-
 def test_heavily_damped_corner_folds_come_down_with_frequency():
     design = {"lam": 3.0, "r": 2.9, "delta_h": 0.0912, "mu": 0.003, "zeta": 0.734, "excitation": "unbalance"}
     iso = Isolator(**design)
@@ -150,18 +132,6 @@ def test_hardening_base_response_does_not_close_above_its_bound():
     assert "no lowest amplitude" in bistable.saddle_node_onset().message
     assert len(bistable.saddle_nodes(0.99 * limit)) == 0
     assert len(bistable.saddle_nodes(1.01 * limit)) == 1
-
-
-@pytest.mark.parametrize("Omega", [0.6, 1.3, 3.0])
-def test_averaged_states_are_near_the_exact_motions(Omega):
-    osc = Duffing(1.0, 0.3, zeta=0.05, excitation="base")
-    found = osc.amplitudes(Omega=Omega, F_0=0.05)
-    assert np.abs(found.measure().error).max() < 0.01
-    exact = osc.steady_state(Omega=Omega, F_0=0.05)
-    assert exact.F_0 == 0.05
-    assert exact.force == pytest.approx(0.05 * Omega**2, rel=1e-15)
-    assert np.abs(found.A / exact.A - 1).min() < 0.01
-    assert "not measured" in found.validity.message
 
 
 def test_transmission_of_an_exact_curve_is_that_of_its_motions():

@@ -141,6 +141,7 @@ class Kind(NamedTuple):
 
 #: asked of mechanisms that are derived here
 SOME = ("saddle_node_onset", "saddle_nodes", "amplitudes", "peak")
+LOADED = (*OFF_CENTRE, "random")
 PRELOADED = near({"c": 0.03, "k": 1.2})
 DETACHED = ("detachment", "saddle_node_onset")
 KINDS = {
@@ -163,13 +164,13 @@ KINDS = {
     "Duffing's with an unbalance": Kind(Duffing, duffings, {"excitation": "unbalance"}),
     "Duffing's with every law": Kind(Duffing, with_laws, count=FEW),
     "Duffing's with every law on a base": Kind(Duffing, with_laws, {"excitation": "base"}, count=FEW),
-    "loaded isolators": Kind(Isolator, loaded(isolators, 0.1), {}, OFF_CENTRE, FEW),
+    "loaded isolators": Kind(Isolator, loaded(isolators, 0.1), {}, LOADED, FEW),
     "loaded isolators on a base": Kind(Isolator, loaded(isolators, 0.1), {"excitation": "base"}, SOME, FEW),
-    "loaded Duffing's": Kind(Duffing, loaded(duffings, 0.3), {}, OFF_CENTRE, FEW),
+    "loaded Duffing's": Kind(Duffing, loaded(duffings, 0.3), {}, LOADED, FEW),
     "loaded Duffing's with an unbalance": Kind(
-        *(Duffing, loaded(duffings, 0.3), {"excitation": "unbalance"}, OFF_CENTRE, FEW)
+        *(Duffing, loaded(duffings, 0.3), {"excitation": "unbalance"}, LOADED, FEW)
     ),
-    "loaded Duffing's with every law": Kind(Duffing, loaded(with_laws, 0.3), {}, OFF_CENTRE, FEW),
+    "loaded Duffing's with every law": Kind(Duffing, loaded(with_laws, 0.3), {}, LOADED, FEW),
     "waves": Kind("wave", near({"k": 0.25, "c": 2.0}), {}, SOME, FEW),
     "soft stops": Kind("soft stop", near({"c": 2.0, "k": 2.0, "g": 0.2}), {}, SOME, FEW),
     "preloaded": Kind("preload", PRELOADED, {"excitation": "base"}, SOME, FEW),

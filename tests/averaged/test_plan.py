@@ -106,16 +106,6 @@ def test_the_linear_scene_gives_what_the_whole_force_gives():
     assert np.allclose(one.A, other.A, rtol=1e-13, atol=0) and np.allclose(one.phi, other.phi, rtol=1e-12, atol=0)
 
 
-@pytest.mark.parametrize(("mu", "zeta"), [(0, 0.02), (0.012, 0), (0, 0)])
-def test_a_damping_scene_is_the_limit_of_the_general_one(mu, zeta):
-    """Against the general kernels with the vanishing parameter next to zero, which is all that it changes."""
-    Omega = np.array([0.5, 0.7, 1.3, 1.5])
-    scene = isolator(mu=mu, zeta=zeta).amplitudes(Omega=Omega, F_0=0.03)
-    general = isolator(mu=mu or 1e-18, zeta=zeta or 1e-18).amplitudes(Omega=Omega, F_0=0.03)
-    lower = [general.A[general.Omega == w].min() for w in Omega]
-    assert np.allclose([scene.A[scene.Omega == w].min() for w in Omega], lower, rtol=1e-13, atol=0)
-
-
 def test_derived_but_not_compiled_mechanism_is_solved():
     mechanism = dataclasses.replace(duffing.MECHANISM, name="fresh")
     fresh, known = Model(mechanism, (1.0, 0.5), 0.01, 0.02), Model(duffing.MECHANISM, (1.0, 0.5), 0.01, 0.02)

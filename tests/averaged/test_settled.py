@@ -13,7 +13,6 @@ import pytest
 
 from benchmarks.stress import answers
 from slowflow import Duffing, Isolator
-from slowflow.averaged import solvers
 from slowflow.support.errors import NotSettled
 from slowflow_kernels.conventions import Status
 from tests.native.intervals import OPERATIONS, Pairs
@@ -139,19 +138,6 @@ def test_a_fold_does_not_leave_its_piece_of_the_force():
                 Omega = oscillator.frequency_response(forcing, samples=20).Omega
                 assert fold.corner == (fold.A == u_cr) or abs(fold.A / u_cr - 1) > 1e-15
                 assert np.isclose(Omega, fold.Omega, rtol=1e-13).any()
-
-
-def test_folds_of_curve_states_and_batch_are_the_questions():
-    for oscillator, F_0 in (
-        (Isolator(lam=3, r=2, delta_h=0.1, mu=0.01, zeta=0.02), 0.04),
-        (Duffing(1, 0.5, 0.01, 0.02), 0.1),
-    ):
-        folds, curve = oscillator.saddle_nodes(F_0), oscillator.frequency_response(F_0, samples=50)
-        assert len(folds) == 2
-        for Omega, A in zip(folds.Omega, folds.A, strict=True):
-            assert ((curve.Omega == Omega) & (curve.A == A)).any()
-            # by doubles: balls tell whether the double is above the fold's frequency or below
-            assert A in solvers.states(oscillator.model, np.array([Omega]), F_0).A
 
 
 def test_states_at_a_peak_lie_between_the_doubles_beside_them():

@@ -96,36 +96,6 @@ def test_its_force_is_what_was_stated(stop):
     np.testing.assert_allclose(stop(**NUMBERS).force(x), [force(one) for one in x], rtol=1e-15, atol=1e-16)
 
 
-def test_every_question_is_answered(stop):
-    one = stop(**NUMBERS)
-    assert one.detachment().u_cr == NUMBERS["gap"]
-    onset = one.saddle_node_onset()
-    assert len(one.saddle_nodes(onset.F_SN * 0.999)) == 0
-    assert len(one.saddle_nodes(onset.F_SN * 1.001)) == 2
-    curve = one.frequency_response(0.04, Omega=(0.5, 2.5))
-    H = np.array([-float(average(A)) for A in curve.A[::97]])
-    w, A = curve.Omega[::97], curve.A[::97]
-    balance = np.hypot(A * w**2 - H, 2 * NUMBERS["zeta"] * A * w + 4 * NUMBERS["mu"] / math.pi)
-    np.testing.assert_allclose(balance, 0.04, rtol=1e-10)
-    assert one.peak(0.04).A == pytest.approx(curve.A.max(), rel=1e-12)
-    assert len(one.second_approximation.saddle_nodes(0.04)) == 2
-    assert one.fold_locus(A_max=2.0).F_0.min() == pytest.approx(onset.F_SN, rel=1e-4)
-    many = stop.many(**{**NUMBERS, "k_2": np.array([3.0, 6.0])}).saddle_node_onset()
-    assert many.F_SN[1] == onset.F_SN
-
-
-@pytest.mark.slow
-def test_the_compiled_solvers_give_the_same_answers(stop, compiled):
-    assert not stop.compiled
-    assert compiled.compiled
-    one, other = stop(**NUMBERS), compiled(**NUMBERS)
-    for F_0 in (0.03, 0.04, 0.2):
-        here, there = one.saddle_nodes(F_0), other.saddle_nodes(F_0)
-        np.testing.assert_allclose(here.Omega, there.Omega, rtol=4e-15)
-        np.testing.assert_allclose(here.A, there.A, rtol=1e-13)
-    assert one.saddle_node_onset().F_SN == pytest.approx(other.saddle_node_onset().F_SN, rel=4e-15)
-
-
 #: powers of the units of length and of frequency in each number: another unit makes another such oscillator
 LENGTH = {"gap": 1, "mu": 1, "F_0": 1, "A": 1, "F_SN": 1, "F_cr": 1, "u_cr": 1}
 FREQUENCY = {"k_1": 2, "k_2": 2, "mu": 2, "zeta": 1, "F_0": 2, "Omega": 1, "F_SN": 2, "F_cr": 2, "Omega_cr": 1}

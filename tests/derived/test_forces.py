@@ -297,21 +297,6 @@ def test_the_fold_locus_of_a_preload_passes_through_its_folds():
 
 
 @pytest.mark.slow
-def test_a_dead_zone_has_an_onset():
-    """Where there is no force at all there is nothing to search; beyond the onset there are two folds more."""
-    pieces, parameters = [(0, gap), (k * (u - gap), None)], {"k": ABOVE_0, "gap": ABOVE_0}
-    found = []
-    for compiled in (False, True):
-        zone = derive.mechanism(f"zone_{compiled}", pieces, parameters, compile=compiled)
-        one = zone(k=1.0, gap=0.1, **DAMPING)
-        found.append(one.saddle_node_onset().F_SN)
-        below, above = (len(one.saddle_nodes(found[-1] * factor)) for factor in (1 - 1e-6, 1 + 1e-6))
-        assert above == below + 2
-        assert len(one.fold_locus(A_max=2.0).A) > 900
-    assert found[0] == pytest.approx(found[1], rel=4e-15)
-
-
-@pytest.mark.slow
 def test_a_piece_without_extent_says_nothing_of_the_rest():
     """With its gap closed a spring is linear, whatever it does in the gap; single and in a batch with open ones."""
     for name, inside in (("pushes", -u), ("pulls", u + 1 - u**3)):

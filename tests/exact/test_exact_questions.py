@@ -20,19 +20,6 @@ from tests.oracles import by_time
 from tests.sampling import slow
 
 
-def test_each_averaged_state_leads_to_a_motion_beside_it():
-    """Three states at Omega = 0.9, the middle one unstable; nothing else is within a tenth of an amplitude."""
-    averaged = isolator().amplitudes(Omega=0.9, F_0=0.04)
-    assert averaged.stable.tolist() == [True, False, True]
-    for A, stable in zip(averaged.A, averaged.stable, strict=True):
-        state = isolator().steady_state(Omega=0.9, F_0=0.04, A=A)
-        assert abs(state.A / A - 1) < 0.1
-        assert state.stable == stable
-        assert state.residual <= 1e-12
-    from_rest = isolator().steady_state(Omega=0.9, F_0=0.04)
-    assert from_rest.stable and abs(from_rest.A / averaged.A[0] - 1) < 0.1
-
-
 def from_place(force, *, load, zeta, Omega, F_0, u, periods=200):
     """Largest |u| that u'' + 2 zeta u' + f(u) = load + F_0 cos(Omega tau) comes to from rest at u, by SciPy."""
     push = lambda tau: load + F_0 * np.cos(Omega * tau)  # noqa: E731
@@ -138,15 +125,6 @@ def test_the_duffing_force_is_the_derived_one():
 def test_u_cr_of_the_untruncated_force_is_the_derived_one():
     force = isolator().restoring_force("untruncated")
     assert force.breakpoints == (isolator().u_cr,)
-
-
-def test_a_curve_and_a_sweep_agree():
-    oscillator = Duffing(1.0, 0.5, 0.02, 0.05)
-    curve = oscillator.exact_response(0.1, Omega=(0.8, 0.9), step=0.1)
-    found = oscillator.sweep(F_0=0.1, Omega=[0.8, 0.9])
-    assert found.settled.all()
-    assert curve.Omega[[0, -1]] == pytest.approx([0.8, 0.9])
-    assert found.A == pytest.approx(curve.A[[0, -1]], rel=1e-4)
 
 
 def test_a_curve_may_start_anywhere_on_it():
@@ -460,10 +438,6 @@ def test_a_first_exact_motion_is_found_without_scipy():
     )
     printed = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout
     assert printed == "False False\n"
-
-
-def test_the_answers_are_public():
-    assert {"SteadyState", "Response", "Sweep"} <= set(exact.__all__)
 
 
 def test_motion_with_static_friction_is_found_by_its_amplitude():

@@ -40,14 +40,6 @@ def loaded():
     return Isolator(**TABLE_1, load=0.03)
 
 
-def test_linear_spring_moves_under_a_load_as_without():
-    linear = Duffing(1.0, 0.0, 0.01, 0.05)
-    off, centred = (linear.replace(load=load).amplitudes(Omega=[0.8, 1.0, 1.1], F_0=0.2) for load in (0.3, 0.0))
-    assert np.array_equal(off.B, [0.3] * 3) and off.stable.all()
-    assert off.A == pytest.approx(centred.A, rel=1e-15) and off.phi == pytest.approx(centred.phi, rel=1e-14)
-    assert len(linear.replace(load=0.3).saddle_nodes(0.2)) == 0
-
-
 @pytest.mark.slow
 def test_states_detachments_and_onsets_are_the_certified_ones():
     """24 cubic springs, 12 truncated isolators, the onsets of 8 cubic springs, to 40 digits."""

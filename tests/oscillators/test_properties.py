@@ -13,12 +13,9 @@ from hypothesis import strategies as st
 
 from slowflow import Duffing, Isolator
 from slowflow.averaged import messages
-from slowflow.support.errors import SlowflowError
 from slowflow_kernels import duffing, duffing_balls, rod_spring, rod_spring_balls
 from slowflow_kernels import rod_spring_untruncated as untruncated
 from slowflow_kernels import rod_spring_untruncated_balls as untruncated_balls
-from tests.averaged.test_many_as_each import assert_is_that_of_each
-from tests.batch_questions import AVERAGED, ask
 
 #: averages of an oscillator by its force, and the same in balls
 AVERAGES = {
@@ -120,19 +117,6 @@ class Numbers(NamedTuple):
 def made(numbers):
     """The oscillator of drawn numbers, its negative stiffness without a word."""
     return Duffing(**numbers) if "alpha" in numbers else Isolator(**numbers)
-
-
-@drawn
-@given(duffings | isolators, st.floats(1e-3, 1.0), st.sampled_from(AVERAGED))
-def test_a_batch_of_one_is_the_single_answer(numbers, F_0, question):
-    of = Duffing if "alpha" in numbers else Isolator
-    named = {name: value for name, value in numbers.items() if isinstance(value, str)}
-    lists = {name: np.array([value]) for name, value in numbers.items() if name not in named}
-    try:
-        single = ask(made(numbers), question, F_0)
-    except SlowflowError as refusal:
-        single = refusal
-    assert_is_that_of_each(ask(of.many(**lists, **named), question, np.array([F_0])), [single], question)
 
 
 @drawn

@@ -14,7 +14,6 @@ from slowflow import Duffing, Isolator, Refused, derive
 from slowflow.core.mechanism import EquationOfMotion, Force
 from slowflow.random_vibration.excitation import White
 from slowflow.random_vibration.questions import stationary
-from slowflow_kernels.conventions import Status
 from slowflow_kernels.table_1 import TABLE_1
 from tests.random_vibration.test_random_vibration import (
     FLOOR,
@@ -215,20 +214,6 @@ def test_small_motions_have_the_mean_of_the_exact_density(case, stop):
     rest = float(one.rest().u[0])
     assert found.B[0] - rest == pytest.approx(mean - rest, rel=0.03)
     assert found.u_rms[0] == pytest.approx(rms, rel=2e-3)
-
-
-def test_batches_with_loads_are_single_answers(stop):
-    laws, load = {"mu": 0.004, "zeta": 0.03}, np.array([0.0, 0.02, -0.06, np.nan])
-    for excitation in ({"S_0": 1e-3}, {"psd": FLOOR}):
-        many = Isolator.many(**DESIGN, **laws, load=load).random(**excitation)
-        assert many.status.tolist() == [*[Status.OK] * 3, Status.INVALID]
-        for n in range(3):
-            one = Isolator(**DESIGN, **laws, load=float(load[n])).random(**excitation)
-            for name in ("B", "u_rms", "v_rms", "a_rms", "beyond", "crossing_rate"):
-                assert getattr(many, name)[n, 0] == getattr(one, name)[0]
-    several = stop.many(k=[5.0, -1.0], g=0.2, **laws).random(S_0=1e-3)
-    assert several.status.tolist() == [Status.OK, Status.INVALID]
-    assert several.B[0, 0] == stop(k=5.0, g=0.2, **laws).random(S_0=1e-3).B[0]
 
 
 @pytest.mark.parametrize("excitation", ({"S_0": 1e-3}, {"psd": FLOOR}))

@@ -175,35 +175,6 @@ def test_without_damping_any_force_reaches_the_breakpoint():
 
 
 @pytest.mark.parametrize("force", FORCES)
-@pytest.mark.parametrize("mu", [0.0, 0.012])
-def test_answers_belong_together(force, mu):
-    """Folds and states lie on the curve; below the onset there is no fold, above it there are two."""
-    iso = isolator(mu=mu, force=force)
-    second = iso.second_approximation
-    curve = second.frequency_response(0.04, Omega=(0.6, 1.2))
-    assert np.all(curve.A > 0) and np.all((curve.phi <= 0) & (curve.phi >= -np.pi))
-    folds = second.saddle_nodes(0.04)
-    x, y = np.log(curve.Omega), np.log(curve.A)
-    for Omega, A in zip(folds.Omega, folds.A, strict=True):
-        distance = np.hypot(x - np.log(Omega), y - np.log(A))
-        assert distance.min() < 0.01
-    states = second.amplitudes(Omega=[0.9, 0.95], F_0=0.04)
-    assert states.stable.tolist() == [True, False, True] * 2
-    assert np.all(np.diff(states.A[:3]) > 0)
-    F_SN = second.saddle_node_onset().F_SN
-    low, high = second.saddle_nodes(1.0001 * F_SN).A
-    assert low < second.saddle_node_onset().A < high
-    assert len(second.saddle_nodes(0.999 * F_SN)) == 0
-    assert len(second.saddle_nodes(1.002 * F_SN)) == 2
-    F_cr, Omega_cr, u_cr = (getattr(second.detachment(), name) for name in ("F_cr", "Omega_cr", "u_cr"))
-    near = (0.97 * Omega_cr, 1.03 * Omega_cr)
-    low, high = (
-        second.frequency_response(factor * F_cr, samples=4000, Omega=near).A.max() for factor in (0.999, 1.001)
-    )
-    assert low < u_cr < high
-
-
-@pytest.mark.parametrize("force", FORCES)
 @pytest.mark.parametrize(
     "changes", [{}, {"mu": 0.0}, {"zeta": 0.005, "delta_h": 0.13, "mu": 0.0}, {"zeta": 0.1, "delta_h": 0.03}]
 )
@@ -533,15 +504,8 @@ def test_states_and_folds_have_independent_digits(name):
         assert abs(mpf(fold.A) / mpf(u_max) - 1) < 1e-13
 
 
-def test_the_peak_is_the_highest_point_of_the_curve():
-    """Of one drawn finely about it; where it has no answer it says why."""
-    for oscillator, F_0 in ((isolator(), 0.04), (isolator(mu=0.0), 0.03), (Duffing(1.0, 0.5, 0.01, 0.02), 0.1)):
-        second = oscillator.second_approximation
-        peak = second.peak(F_0)
-        curve = second.frequency_response(F_0, samples=5000, Omega=(0.98 * peak.Omega, 1.02 * peak.Omega))
-        assert 0 <= 1 - curve.A.max() / peak.A < 1e-5
-        assert abs(curve.Omega[curve.A.argmax()] / peak.Omega - 1) < 1e-3
-    # a sharp one lies between points that few samples leave, which took off 8e-4
+def test_a_sharp_peak_is_a_point_of_the_curve():
+    """It lies between points that few samples leave, which took off 8e-4; where there is none the message says why."""
     numbers = {"lam": 1.8, "r": 2.284, "delta_h": 0.1072, "mu": 0.0133, "zeta": 0.00315, "force": "untruncated"}
     second = Isolator(**numbers).second_approximation
     peak = second.peak(0.2553)
