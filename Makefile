@@ -5,7 +5,7 @@
 # make corpus     compare some 150,000 answers with their record, a few minutes; `python -m tests.corpus --record` writes it
 # make derive     write generated/ anew and build what is compiled from it
 # make check      compare generated/ with fresh derivations
-# make lint       ruff, mypy, numpydoc
+# make lint       ruff, mypy, basedpyright, numpydoc
 # make figures    every figure of the paper, into output/
 # make bench      the benchmarks, docs/benchmarks.md; last other tools on the same problem, each installed into an environment
 #                 of its own under .venv-peers; one that does not install keeps what was last measured of it
@@ -84,6 +84,7 @@ lint: $(DEVELOPED)
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
+	$(BIN)/basedpyright
 	$(BIN)/python -m numpydoc lint $(NUMPYDOC)
 
 corpus: $(DEVELOPED)

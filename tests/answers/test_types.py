@@ -1,10 +1,11 @@
 """What type checkers know of questions and answers, and that it is what there is when a program runs."""
 
+import ast
 import importlib
+import inspect
 import re
-import subprocess
-import sys
 import typing
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -13,9 +14,11 @@ from docs.api import MODULES
 from slowflow import Isolator
 from slowflow.answers import physical_answers
 from slowflow.answers.answer import Entry, Table
-from slowflow.answers.quantities import EXCITED
+from slowflow.answers.quantities import EXCITED, Quantities
+from slowflow.answers.table import QUESTIONS
+from slowflow.oscillators import physical_designs
 from slowflow.oscillators.physical import Physical
-from tests.files import ROOT
+from tests.answers import user_script
 from tests.sampling import slow
 
 SHEET = dict(m=25, k_v=9000, k_h=4000, n=3, L=0.08, preload=0.006, friction=3.6, zeta=0.03)
@@ -45,48 +48,6 @@ ARGUMENTS = {
     "spectrum": {"f": [3.0, 4.0], "F": 20.0},
 }
 ABOUT_THE_CENTRE = {"at_rest", "fold_locus", "cusps", "isola_points", "certify"}
-SCRIPT = """
-import numpy as np
-from slowflow import Duffing, Isolator
-from slowflow.oscillators.physical import Physical
-
-def dimensionless(iso: Isolator, duffing: Duffing) -> None:
-    reveal_type(iso.saddle_nodes(0.04).Omega)
-    reveal_type(iso.amplitudes(Omega=[0.9, 1.0], F_0=0.04).transmissibility_dB)
-    reveal_type(iso.frequency_response(0.04).branch)
-    reveal_type(duffing.peak(0.04).A)
-    reveal_type(duffing.detachment().F_cr)
-    reveal_type(duffing.saddle_node_onset().F_SN)
-    reveal_type([fold.Omega for fold in iso.saddle_nodes(0.04)])
-    Omega, A, kind, corner = iso.saddle_nodes(0.04)[0]
-    reveal_type(iso.saddle_nodes(0.04).plot())
-
-def physical(mount: Physical) -> None:
-    reveal_type(mount.saddle_nodes(F=5).f)
-    reveal_type(mount.amplitudes(f=np.linspace(3, 5), F=np.float32(5)).transmissibility_dB)
-    reveal_type(mount.frequency_response(5.0, f=(1, 3)).A)
-    reveal_type(mount.peak(5).A)
-    reveal_type(mount.saddle_node_onset().F_SN)
-    reveal_type(mount.saddle_nodes(5)[0].corner)
-    reveal_type(mount.oscillator.peak(0.04).A)
-    reveal_type(mount.steady_state(f=3, F=5).t)
-    reveal_type(mount.many(m=[11.0, 12.0]).peak(F=[5.0, 6.0]).A)
-    reveal_type(mount.many(m=[11.0, 12.0]).amplitudes(f=3, F=5, max_count=2).answer)
-    reveal_type(mount.many(m=[11.0, 12.0]).random(psd=([1.0, 50.0], [1e-4, 1e-6])).x_rms)
-
-def wrong(iso: Isolator, mount: Physical) -> None:
-    iso.saddle_nodes("x")  # wrong
-    iso.amplitudes(Omega="x", F_0=0.04)  # wrong
-    iso.saddle_nodes(0.04).onmega  # wrong
-    iso.saddle_nodes(0.04)[0].onmega  # wrong
-    f, *_ = mount.saddle_nodes(5)[0]  # wrong
-    mount.saddle_nodes(F=None)  # wrong
-    mount.amplitudes(f=None, F=5)  # wrong
-    mount.frequency_response(5, f="ab")  # wrong
-    mount.saddle_nodes(F=[5])  # wrong
-    mount.many(m=[11.0, 12.0]).peak(G=5)  # wrong
-    mount.many(m=[11.0, 12.0]).amplitudes(F=5)  # wrong
-"""
 
 
 def subclasses(kind):
@@ -95,29 +56,35 @@ def subclasses(kind):
         yield from subclasses(one)
 
 
-def declared(cls):
+def declared(kind):
     """The numbers of an answer, by name, as its type declares them."""
-    hints = typing.get_type_hints(cls)
+    cls = typing.get_origin(kind) or kind
+    variables = {}
+    for of in (kind, *(of for base in cls.__mro__ for of in vars(base).get("__orig_bases__", ()))):
+        variables |= zip(getattr(typing.get_origin(of), "__parameters__", ()), typing.get_args(of), strict=False)
     own = {
         name
         for base in cls.__mro__
         if base.__module__ == physical_answers.__name__
         for name in vars(base).get("__annotations__", ())
     }
-    excited = [typing.get_args(base)[0] for base in getattr(cls, "__orig_bases__", ()) if typing.get_args(base)]
-    return {name: excited[0] if isinstance(hints[name], typing.TypeVar) else hints[name] for name in own}
+    hints = typing.get_type_hints(cls)
+    return {name: variables.get(hints[name], hints[name]) for name in own}
 
 
 def is_of(value, hint):
     if typing.get_origin(hint) is np.ndarray:
         (kind,) = typing.get_args(typing.get_args(hint)[1])
         return isinstance(value, np.ndarray) and issubclass(value.dtype.type, kind)
+    of = typing.get_origin(hint) or hint
+    if isinstance(of, type) and issubclass(of, Quantities) and of is not Quantities:
+        return isinstance(value, Quantities) and all(
+            is_of(number, declared(hint)[name]) for name, number in value.values.items()
+        )
     if options := typing.get_args(hint):
         return (
             isinstance(value, tuple) if typing.get_origin(hint) is tuple else any(is_of(value, one) for one in options)
         )
-    if issubclass(hint, physical_answers.Quantities) and hint is not physical_answers.Quantities:
-        return all(is_of(number, declared(hint)[name]) for name, number in value.values.items())
     return isinstance(value, hint)
 
 
@@ -140,7 +107,8 @@ def test_what_an_answer_has_its_type_declares(load, excitation, F):
             mount.oscillator.excitation != "force" and name == "certify"
         ):
             continue
-        kind = getattr(physical_answers, getattr(Physical, name).__annotations__["return"].removeprefix("answers."))
+        declared_as, _, _ = getattr(Physical, name).__annotations__["return"].partition("[")
+        kind = getattr(physical_answers, declared_as.removeprefix("answers."))
         own = {one: value for one, value in arguments.items() if one != "F"}
         found = getattr(mount, name)(**own | ({EXCITED[excitation][0]: F} if "F" in arguments else {}))
         for column, value in found.values.items():
@@ -163,15 +131,40 @@ def test_every_entry_of_a_table_has_its_numbers_declared():
                 assert Entry.__annotations__[name] == scalars[kind], (table, name)
 
 
+@pytest.mark.parametrize(
+    "of, questions",
+    {
+        "iso": {*ARGUMENTS},
+        "designs": {*QUESTIONS} - {"rest"},
+        "mount": {*ARGUMENTS},
+        "(mounts|loaded)": {*QUESTIONS},
+    }.items(),
+)
+def test_each_question_is_in_the_script_that_lint_checks(of, questions):
+    script = Path(user_script.__file__).read_text()
+    assert not [name for name in questions if not re.search(rf"\b{of}\.{name}\(", script)]
+
+
 @pytest.mark.slow
-def test_mypy_knows_answers_and_refuses_words_for_numbers(tmp_path):
-    """A user's script; of the package it reads what `make lint` has left in mypy's cache."""
-    script = tmp_path / "script.py"
-    script.write_text(SCRIPT)
-    ask = [sys.executable, "-m", "mypy", "--hide-error-context", "--no-color-output", str(script)]
-    report = subprocess.run(ask, capture_output=True, text=True, cwd=ROOT).stdout
-    revealed = re.findall(r'note: Revealed type is "(.*)"', report)
-    assert len(revealed) == SCRIPT.count("reveal_type"), report
-    assert not {"Any", "float | Any"} & set(revealed), report
-    wrong = {number for number, line in enumerate(SCRIPT.splitlines(), start=1) if "# wrong" in line}
-    assert {int(number) for number in re.findall(r"script\.py:(\d+): error", report)} == wrong, report
+def test_what_type_checkers_accept_runs():
+    """All of the script, but the function that is wrong on purpose."""
+    r = np.array([1.9, 2.0])
+    iso, mount = Isolator(lam=3, r=2.0, delta_h=0.08, mu=0.012, zeta=0.02), Isolator.physical(**SHEET)
+    user_script.dimensionless(iso)
+    user_script.many(Isolator.many(lam=3, r=r, delta_h=0.08, mu=0.012, zeta=0.02), r)
+    user_script.physical(mount)
+    user_script.many_mounts(mount.many(m=[25.0, 26.0]), mount.many(load=[25.0, 26.0]))
+
+
+def test_what_many_mounts_take_is_declared():
+    """Methods made of the table against the Protocols that type checkers have: names, kinds, what has a default."""
+    (typed,) = (node for node in ast.parse(inspect.getsource(physical_designs)).body if isinstance(node, ast.If))
+    calls = {one.name: one.body[0].args for one in typed.body if isinstance(one, ast.ClassDef)}
+    for question in QUESTIONS:
+        own = calls[physical_designs.PhysicalDesigns.__annotations__[question]]
+        keywords = zip(own.kwonlyargs, own.kw_defaults, strict=True)
+        declared = {(one.arg, one_default is not None) for one, one_default in keywords}
+        declared |= {("amplitude", True)} if own.posonlyargs else set()
+        declared |= {(own.kwarg.arg, False)} if own.kwarg else set()
+        _, *made = inspect.signature(getattr(physical_designs.PhysicalDesigns, question)).parameters.values()
+        assert {(one.name, one.default is not one.empty) for one in made} == declared, question

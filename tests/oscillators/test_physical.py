@@ -284,6 +284,11 @@ def test_questions_in_si_units_are_the_dimensionless_ones(mount):
     assert mount.stiffness([0.01]) == iso.stiffness([0.01 / L]) * mount.scales.k_v
 
 
+def test_equilibria_are_not_measured(mount):
+    with pytest.raises(ValueError, match="only states and folds can be compared"):
+        mount.rest().measure()
+
+
 def test_what_is_measured_is_in_physical_units(mount):
     f, L, F = (mount.scales.sizes[kind] for kind in ("frequency", "length", "force"))
     for twin in (mount.amplitudes(f=2.2, F=5), mount.saddle_nodes(5), mount.peak(5), mount.detachment()):

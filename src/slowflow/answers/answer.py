@@ -22,6 +22,8 @@ from slowflow.core import validate
 from slowflow.support.text import Text, together
 
 if TYPE_CHECKING:
+    import pandas
+    import xarray
     from matplotlib.axes import Axes
 
 __all__ = ["Answer", "Drawn", "Single", "Table"]
@@ -110,7 +112,7 @@ class Answer:
         """Units of the columns, for those that have one; empty by default."""
         return {}
 
-    def text_of(self, name: str, value: Any) -> str:
+    def text_of(self, name: str, value: object) -> str:
         """Text printed instead of a number; usually empty."""
         return self.labels.get(name, {}).get(value, "") if isinstance(value, float) else ""
 
@@ -156,7 +158,7 @@ class Answer:
         """Convert to plain Python: lists for arrays, numbers and texts, by name."""
         return {name: plain(value) for name, value in self._content().items()}
 
-    def columns(self) -> dict[str, Any]:
+    def columns(self) -> dict[str, npt.NDArray[Any]]:
         """Return arrays of one length by name, a row for each entry; a single answer has its numbers and texts.
 
         Nested answers and arrays of other lengths are in `to_dict` only.
@@ -171,14 +173,14 @@ class Answer:
         """Return values common to all rows of `columns`: message, forcing, parameters of the oscillator."""
         return {}
 
-    def to_pandas(self) -> Any:
+    def to_pandas(self) -> pandas.DataFrame:
         """Convert `columns` to a DataFrame, with `about` in `.attrs`. Raises ImportError without pandas."""
         pandas = optional("pandas", "to_pandas")
         frame = pandas.DataFrame(self.columns())
         frame.attrs.update({**self.about(), "units": {**self.units_of_about(), **self.units_of_columns()}})
         return frame
 
-    def to_xarray(self) -> Any:
+    def to_xarray(self) -> xarray.Dataset:
         """Convert `columns` to a Dataset along "entry", each with its units. Raises ImportError without xarray.
 
         If "entry" is itself a column, as in a gradient, the dimension is "row". `about` is in the attributes, with
@@ -331,6 +333,11 @@ class Entry:
 class TupleEntry(Entry, tuple[Any, ...]):
     """An entry of a dimensionless table, for type checkers: it can be unpacked too."""
 
+    if TYPE_CHECKING:
+        _fields: ClassVar[tuple[str, ...]]
+
+        def __new__(cls, *numbers: object) -> Self: ...
+
 
 class Table(Answer):
     """An answer with several entries: arrays of one length.
@@ -340,7 +347,7 @@ class Table(Answer):
     extra_columns -- further columns of each entry, not in its named tuple
     """
 
-    entry: ClassVar[Any]
+    entry: ClassVar[type[TupleEntry]]
     extra_columns: ClassVar[tuple[str, ...]] = ()
     has_rows = True
 
@@ -350,7 +357,7 @@ class Table(Answer):
             declared = (name for name, kind in cls.__annotations__.items() if COLUMN.fullmatch(kind))
             cls.entry = entry_of(cls, "entry", entry, columns.split() or declared)
 
-    def _entry_of(self) -> Any:
+    def _entry_of(self) -> type[TupleEntry]:
         """The named tuple of an entry."""
         return self.entry
 
@@ -376,7 +383,7 @@ class Table(Answer):
         columns = (getattr(self, name).tolist() for name in entry._fields)
         return (entry(*values) for values in zip(*columns, strict=True))
 
-    def columns(self) -> dict[str, Any]:
+    def columns(self) -> dict[str, npt.NDArray[Any]]:
         """Return arrays of one length by name: those of the entries, then the further ones."""
         found = {name: getattr(self, name) for name in (*self._entry_of()._fields, *self._beside_of())}
         content, shape = self._content().items(), (len(self),)

@@ -79,7 +79,7 @@ class Gradient(Answer):
     def __len__(self) -> int:
         return len(self.of) * len(self.by)
 
-    def columns(self) -> dict[str, Any]:
+    def columns(self) -> dict[str, npt.NDArray[Any]]:
         """Return a row for each derivative of each entry; a single answer has no column of entries."""
         rows = [(*entry, *pair) for entry in np.ndindex(self.status.shape) for pair in self._pairs()]
         names = [f"entry_{k}" if k else "entry" for k in range(self.status.ndim)]
@@ -104,11 +104,12 @@ class Gradient(Answer):
             texts.append(of_all + WITHOUT_GRADIENT[GradientStatus(code)])
         return f"no gradient: {'; '.join(texts)}" if texts else ""
 
-    def condition(self, of: str) -> Any:
+    def condition(self, of: str) -> Floats:
         """Compute the relative condition number of a number: its relative change over that of the parameters.
 
         The sum of |p d(number)/dp|/|number| over the parameters, shape (...); NaN where there is no gradient.
         """
         with np.errstate(all="ignore"):
             change = sum(abs(at * self[of, by]) for at, by in zip(self._at, self.by, strict=True))
-            return change / np.abs(self._values[self.of.index(of)])
+            found: Floats = change / np.abs(self._values[self.of.index(of)])
+            return found

@@ -1,3 +1,4 @@
+# mypy: disable-error-code="empty-body"
 """Types of questions in SI units, for type checkers: their arguments, and the numbers that each returns.
 
 Nothing is of these classes when a program runs: an answer is `Quantities`, whose numbers are read by name. Which of the
@@ -7,41 +8,23 @@ displacement.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import Any, Generic, Protocol, TypedDict, TypeVar
+from typing import Generic, TypedDict, TypeVar
 
 import numpy as np
 import numpy.typing as npt
 
+from slowflow.answers import certificate, validity
 from slowflow.answers.quantities import Quantities
 from slowflow.answers.results import Remark
 from slowflow.answers.table import SameColumns
-from slowflow.core.mechanism import Array, Flags, Floats, Ints
+from slowflow.core.mechanism import Flags, Floats, Ints
 
 Strings = npt.NDArray[np.str_]
 
 
-class WithUnit(Protocol):
-    """A quantity of pint."""
-
-    @property
-    def magnitude(self) -> Any:
-        """Its number or numbers."""
-        ...
-
-    def to(self, unit: Any, /) -> Any:
-        """Convert to another unit."""
-        ...
-
-
-#: one number, which may be a string with a unit, an array of them, and the two ends of a window
-Plain = float | np.floating[Any] | np.integer[Any] | WithUnit
-Number = Plain | str
-Numbers = Number | Sequence[Plain] | Array
-Window = Sequence[Plain] | Array | WithUnit
-
-
 T = TypeVar("T")
+Kind = TypeVar("Kind")
+Dimensionless = TypeVar("Dimensionless", covariant=True)
 
 
 class Amplitude(TypedDict, Generic[T], total=False):
@@ -62,15 +45,58 @@ class Excited(Generic[T]):
     U: T
 
 
-class Explained(Quantities):
+class Measured(Quantities):
+    """Motions of the equation of motion, one for each entry of an averaged answer: of its `measure`."""
+
+    answer: validity.Measured | validity.MeasuredFolds
+    f: Floats
+    A: Floats
+    error: Floats
+    error_of_A: Floats
+    stable: Flags
+    stops: Ints
+    found: Flags
+    reason: Strings
+    message: str
+
+
+class MeasuredPoint(Quantities, Excited[float | None]):
+    """The point of the equation of motion that an averaged one is compared with, None if there is none."""
+
+    answer: validity.MeasuredPoint
+    f: float | None
+    A: float | None
+    error: float | None
+    error_of_Omega: float | None
+    message: str
+
+
+class MeasuredRandom(Quantities):
+    """Simulated random vibration, with half the 95 % confidence intervals."""
+
+    B: float
+    x_rms: float
+    v_rms: float
+    a_rms: float
+    B_margin: float
+    x_margin: float
+    v_margin: float
+    a_margin: float
+    beyond: float
+    kurtosis: float
+    duration: float
+
+
+class Explained(Quantities, Generic[Dimensionless]):
     """With diagnostics."""
 
+    answer: Dimensionless
     message: str
     remarks: Remark
     load: float
 
 
-class Rows(Explained):
+class Rows(Explained[Dimensionless]):
     """Answers with several entries: arrays of one length."""
 
     f: Floats
@@ -102,20 +128,22 @@ class Rows(Explained):
     motions: Ints
     isola: tuple[bool, ...]
 
+    def measure(self, force: str | None = None, **options: object) -> Measured: ...
 
-class AtOne(Rows, Excited[float]):
+
+class AtOne(Rows[Dimensionless], Excited[float]):
     """At one amplitude of the excitation: of `saddle_nodes`, `frequency_response`, `sweep` and `hysteresis`."""
 
 
-class AtEach(Rows, Excited[Floats]):
+class AtEach(Rows[Dimensionless], Excited[Floats]):
     """Of `fold_locus`, `cusps`, `isola_points` and `spectrum`."""
 
 
-class States(Rows, Excited[float | Floats]):
+class States(Rows[Dimensionless], Excited[float | Floats]):
     """Of `amplitudes`."""
 
 
-class One(Explained, Excited[float]):
+class One(Explained[Dimensionless], Excited[float]):
     """Answers with a single entry, None where there is none: forcings, peaks, isolation, margins."""
 
     F_SN: float | None
@@ -141,10 +169,12 @@ class One(Explained, Excited[float]):
     detaches: bool
     sticks: bool
     at_fold: bool
-    untruncated: Quantities | None
+    untruncated: One[object] | None
+
+    def measure(self, force: str | None = None, **options: object) -> MeasuredPoint: ...
 
 
-class Random(Explained):
+class Random(Explained[Dimensionless]):
     """Of `random`."""
 
     B: Floats
@@ -159,10 +189,13 @@ class Random(Explained):
     crossing_rate: Floats
     dry: Floats
 
+    def measure(self, force: str | None = None, **options: object) -> MeasuredRandom: ...
 
-class AtRest(Quantities):
+
+class AtRest(Quantities, Generic[Dimensionless]):
     """Of `at_rest`."""
 
+    answer: Dimensionless
     f_n: float
     f_0: float | None
     k_0: float
@@ -175,7 +208,7 @@ class AtRest(Quantities):
     sticking: float
 
 
-class Motion(Explained):
+class Motion(Explained[Dimensionless]):
     """What motions have over time: displacement and velocity of the mass."""
 
     t: Floats
@@ -183,7 +216,7 @@ class Motion(Explained):
     v: Floats
 
 
-class SteadyState(Motion, Excited[float]):
+class SteadyState(Motion[Dimensionless], Excited[float]):
     """Of `steady_state`."""
 
     f: float
@@ -193,7 +226,7 @@ class SteadyState(Motion, Excited[float]):
     period: float
 
 
-class Transient(Motion):
+class Transient(Motion[Dimensionless]):
     """Of `transient`."""
 
     A: float
@@ -209,23 +242,43 @@ class Transient(Motion):
     base: Floats
 
 
-class Response(AtOne):
+class Response(AtOne[Dimensionless]):
     """Of `exact_response`."""
 
     closed: bool
     complete: bool
-    folds: Rows
+    folds: Rows[object]
+
+
+class Proved(Quantities, Generic[T, Kind]):
+    """What `certify` proves of folds, states and forcings; bounds have an axis of two."""
+
+    answer: T
+    proved: bool
+    message: str
+    bits: int
+    F: Floats
+    a: Floats
+    f: Floats
+    A: Floats
+    A_max: float
+    kind: Kind
+    corner: Flags
+    stable: Flags
+    bounded: bool
+    doubt: Floats
 
 
 class Certificate(Quantities):
     """Of `certify`."""
 
+    answer: certificate.Certificate
     F: float
     a: float
-    saddle_nodes: Quantities
-    saddle_node_onset: Quantities
-    detachment: Quantities
-    amplitudes: Quantities | None
+    saddle_nodes: Proved[certificate.ProvedFolds, Strings]
+    saddle_node_onset: Proved[certificate.ProvedForcing, str]
+    detachment: Proved[certificate.ProvedForcing, str]
+    amplitudes: Proved[certificate.ProvedStates, Strings] | None
 
 
 class Many(SameColumns, Excited[Floats]):

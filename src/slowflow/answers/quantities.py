@@ -18,6 +18,7 @@ from types import MappingProxyType, SimpleNamespace
 from typing import TYPE_CHECKING, Any, Self, overload
 
 import numpy as np
+import numpy.typing as npt
 
 from slowflow.answers.answer import PLAIN, Answer, Entry, Table, drawn, plain, shown
 from slowflow.answers.table import QUANTITIES
@@ -31,9 +32,31 @@ from slowflow_kernels.rod_spring import MECHANISM as ROD_SPRING
 from slowflow_kernels.scaling import AMPLITUDES, SCALES
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+    from typing import Protocol
+
     from matplotlib.axes import Axes
 
     from slowflow.answers.gradient import Gradient
+    from slowflow.core.mechanism import Array
+
+    class WithUnit(Protocol):
+        """A quantity of pint."""
+
+        @property
+        def magnitude(self) -> Any:
+            """Its number or numbers."""
+            ...
+
+        def to(self, unit: Any, /) -> Any:
+            """Convert to another unit."""
+            ...
+
+    #: one number, which may be a string with a unit, an array of them, and the two ends of a window
+    Plain = float | np.floating[Any] | np.integer[Any] | WithUnit
+    Number = Plain | str
+    Numbers = Number | Sequence[Plain] | Array
+    Window = Sequence[Plain] | Array | WithUnit
 
 #: standard gravity, m/s^2
 g = 9.80665
@@ -175,16 +198,18 @@ class Quantities(Answer):
         own = (getattr(self, one.name) for one in dataclasses.fields(self))
         return type(self), tuple(dict(value) if isinstance(value, MappingProxyType) else value for value in own)
 
-    def __getattr__(self, name: str) -> Any:
-        values = self.__dict__.get("values", {})  # not there yet while it is made
-        if name not in values:
-            if name == OF_THE_ANSWER and isinstance(answer := self.__dict__.get("answer"), Answer):
-                getattr(answer, name)  # which may say why it has none
-                raise validate.NoAttribute(
-                    f"{name!r} is not part of an answer in units: .answer.{name} is dimensionless"
-                )
-            raise validate.NoAttribute(f"{name!r} is not part of this answer: it has {', '.join(values)}")
-        return values[name]
+    if not TYPE_CHECKING:  # which numbers an answer has its type declares, see `physical_answers`
+
+        def __getattr__(self, name: str) -> Any:
+            values = self.__dict__.get("values", {})  # not there yet while it is made
+            if name not in values:
+                if name == OF_THE_ANSWER and isinstance(answer := self.__dict__.get("answer"), Answer):
+                    getattr(answer, name)  # which may say why it has none
+                    raise validate.NoAttribute(
+                        f"{name!r} is not part of an answer in units: .answer.{name} is dimensionless"
+                    )
+                raise validate.NoAttribute(f"{name!r} is not part of this answer: it has {', '.join(values)}")
+            return values[name]
 
     def __len__(self) -> int:
         return len(self.values[self._entries()[0]])
@@ -206,7 +231,7 @@ class Quantities(Answer):
             raise WrongType("this answer has no entries: it is a single answer")
         return self.entry
 
-    def columns(self) -> dict[str, Any]:
+    def columns(self) -> dict[str, npt.NDArray[Any]]:
         """Return the columns of the dimensionless answer, in SI units."""
         if not self.entry:
             return super().columns()
@@ -227,7 +252,7 @@ class Quantities(Answer):
         """Units of the columns, by name."""
         return self.units
 
-    def text_of(self, name: str, value: Any) -> str:
+    def text_of(self, name: str, value: object) -> str:
         """Text of the dimensionless answer: "none" and infinity do not depend on units."""
         if self.scales is None or not isinstance(self.answer, Answer):
             return ""
@@ -281,7 +306,7 @@ class Quantities(Answer):
             raise Refused("only averaged answers have gradients: this answer is not averaged")
         return self.scales.gradient(self.answer.gradient())
 
-    def measure(self, force: str | None = None, **options: Any) -> Quantities:
+    def measure(self, force: str | None = None, **options: object) -> Quantities:
         """Compare averaged states, folds, a peak, an onset, a detachment with the equation of motion, in SI units.
 
         options -- for isolation of="first" or "peak"; for random vibration samples, records and seed
@@ -296,12 +321,12 @@ class Quantities(Answer):
         with self.scales.in_these_terms():
             return self.scales.quantities(self.answer.measure(force=force, **options))
 
-    def largest(self, duration: Any) -> Floats:
+    def largest(self, duration: Numbers) -> Floats:
         """Compute the mean largest |x| in m of random vibration within a duration in s: `RandomResponse.largest`."""
         answer, sizes = self._random()
         return np.asarray(answer.largest(si("duration", duration, "s") / sizes["time"]) * sizes["length"])
 
-    def response_psd(self, f: Any) -> Floats:
+    def response_psd(self, f: Numbers) -> Floats:
         """Compute the one-sided density of x in m^2/Hz at frequencies in Hz, of random vibration, (motions, n)."""
         answer, sizes = self._random()
         density = answer.response_psd(np.asarray(si("f", f, "Hz"), dtype=float) / sizes["frequency"])

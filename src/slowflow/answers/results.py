@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 import numpy as np
 import numpy.typing as npt
 
-from slowflow.answers.answer import LOADED, UNLOADED, Drawn, Single, Table, entry_of, frozen
+from slowflow.answers.answer import LOADED, UNLOADED, Drawn, Single, Table, TupleEntry, entry_of, frozen
 from slowflow.answers.transmissibility import in_motion
 from slowflow.core import validate
 from slowflow.core.mechanism import Flags, Ints
@@ -157,8 +157,8 @@ def _gradient(model: Model | None, question: str, *numbers: Any) -> Gradient:
 class WithMean:
     """Common part of states and folds: the mean displacement, which is 0 without a load."""
 
-    entry: ClassVar[Any]
-    with_mean: ClassVar[Any]
+    entry: ClassVar[type[TupleEntry]]
+    with_mean: ClassVar[type[TupleEntry]]
 
     if TYPE_CHECKING:
         A: Floats
@@ -170,7 +170,7 @@ class WithMean:
             Omega, A, *others = cls.entry._fields
             cls.with_mean = entry_of(cls, "with_mean", with_mean, (Omega, A, "B", *others))
 
-    def _entry_of(self) -> Any:
+    def _entry_of(self) -> type[TupleEntry]:
         """The named tuple of an entry: with the mean, under a load."""
         return self.entry if self.B is None else self.with_mean
 

@@ -19,7 +19,7 @@ import numpy as np
 import numpy.typing as npt
 
 from slowflow.core import validate
-from slowflow.core.mechanism import Floats
+from slowflow.core.mechanism import Floats, Reals
 from slowflow_kernels.conventions import FoldKind, OnsetKind
 
 __all__ = ["Columns", "ManyQuestions"]
@@ -234,7 +234,9 @@ _ROWS: dict[str, Question] = {}
 #: the questions by name, each as its method of `ManyQuestions` declares it
 QUESTIONS: Mapping[str, Question] = MappingProxyType(_ROWS)
 
+#: an answer, and numbers that broadcast with the designs
 Found = TypeVar("Found", covariant=True)
+Arrays = TypeVar("Arrays", contravariant=True)
 Method = TypeVar("Method", bound=Callable[..., Any])
 
 
@@ -254,7 +256,7 @@ def asks(
         positional = [one.name for one in parameters if one.kind is one.POSITIONAL_OR_KEYWORD]
         defaults = {one.name: one.default for one in parameters if one.default is not one.empty}
         takes = tuple(one.name for one in parameters if one.name not in defaults)
-        may = tuple(one.name for one in parameters if one.default is None and one.annotation == "Any")
+        may = tuple(one.name for one in parameters if one.default is None and one.annotation == "Arrays | None")
         options = {one: value for one, value in defaults.items() if one not in (*may, "workers")}
         axes = {
             system: {one: axis for one, _, axis in (column.partition(":") for column in text.split())}
@@ -286,7 +288,7 @@ class Unanswered:
         raise validate.NoAttribute(self.why)
 
 
-class ManyQuestions(Generic[Found]):
+class ManyQuestions(Generic[Found, Arrays]):
     """The questions about many designs, dimensionless: each returns a `Batch`, of a grid an xarray Dataset.
 
     F_0, Omega, acceleration, duration -- numbers or arrays that broadcast with the designs
@@ -332,7 +334,7 @@ class ManyQuestions(Generic[Found]):
         | {OFFSET: "Omega:place A:place B:place kind:place count undecided status"},
         kinds=FoldKind,
     )
-    def saddle_nodes(self, F_0: Any, *, max_count: int = 6, workers: int = 1) -> Found:
+    def saddle_nodes(self, F_0: Arrays, *, max_count: int = 6, workers: int = 1) -> Found:
         """Find every fold at F_0 (24), (30), sorted by Omega: .Omega .A .kind .count .undecided; with a load .B.
 
         Parameters
@@ -355,7 +357,7 @@ class ManyQuestions(Generic[Found]):
             OFFSET: "A:place B:place phi:place transmissibility:place stable:place count undecided status",
         }
     )
-    def amplitudes(self, *, F_0: Any, Omega: Any, max_count: int = 6, workers: int = 1) -> Found:
+    def amplitudes(self, *, F_0: Arrays, Omega: Arrays, max_count: int = 6, workers: int = 1) -> Found:
         """Find every steady state at (Omega, F_0) (24), (30), sorted by A: .A .phi .stable .count .transmissibility.
 
         Parameters
@@ -381,7 +383,7 @@ class ManyQuestions(Generic[Found]):
     )
     def frequency_response(
         self,
-        F_0: Any,
+        F_0: Arrays,
         *,
         samples: int = 1000,
         Omega: tuple[float, float] = validate.WINDOW,
@@ -409,7 +411,7 @@ class ManyQuestions(Generic[Found]):
         """
 
     @asks(_same("A Omega status", AVERAGING, SECOND) | {OFFSET: "A B Omega u_max Omega_max status"})
-    def peak(self, F_0: Any, *, workers: int = 1) -> Found:
+    def peak(self, F_0: Arrays, *, workers: int = 1) -> Found:
         """Find the highest peak at F_0, isolas included: .A .Omega, which is 0 if A decreases with Omega throughout.
 
         Returns
@@ -421,7 +423,7 @@ class ManyQuestions(Generic[Found]):
         """
 
     @asks({AVERAGING: "count proved bits status"})
-    def certify(self, F_0: Any, *, Omega: Any = None, workers: int = 1) -> Found:
+    def certify(self, F_0: Arrays, *, Omega: Arrays | None = None, workers: int = 1) -> Found:
         """Prove the number of folds at F_0, or of states at (Omega, F_0), about the centre: .count .proved .bits.
 
         Parameters
@@ -454,7 +456,7 @@ class ManyQuestions(Generic[Found]):
         _same("F_SN F_cr of_SN of_cr kind folds detaches sticks Omega_sticks onset status", AVERAGING, OFFSET),
         kinds=OnsetKind,
     )
-    def margins(self, F_0: Any, *, workers: int = 1) -> Found:
+    def margins(self, F_0: Arrays, *, workers: int = 1) -> Found:
         """Compare F_0 with F_SN and F_cr: .of_SN .of_cr .folds .detaches .sticks .Omega_sticks .onset.
 
         Returns
@@ -468,7 +470,7 @@ class ManyQuestions(Generic[Found]):
         """
 
     @asks(_same("Omega_low:place Omega_high:place motions:place count status", AVERAGING, OFFSET))
-    def hysteresis(self, F_0: Any, *, max_count: int = 3, workers: int = 1) -> Found:
+    def hysteresis(self, F_0: Arrays, *, max_count: int = 3, workers: int = 1) -> Found:
         """Find the bands of Omega with several stable motions at F_0: .Omega_low .Omega_high .motions .count.
 
         Parameters
@@ -478,7 +480,7 @@ class ManyQuestions(Generic[Found]):
         """
 
     @asks({AVERAGING: "Omega A at_fold status", OFFSET: "Omega A at_fold status B"})
-    def isolation(self, F_0: Any, *, level_dB: Any = None, workers: int = 1) -> Found:
+    def isolation(self, F_0: Arrays, *, level_dB: Arrays | None = None, workers: int = 1) -> Found:
         """Find the frequency above which less than F_0, or a given fraction of it, is transmitted: .Omega .A .at_fold.
 
         Parameters
@@ -501,7 +503,7 @@ class ManyQuestions(Generic[Found]):
         ),
         argument_axes={"Omega": "row", "F_0": "row"},
     )
-    def spectrum(self, *, Omega: Any, F_0: Any, workers: int = 1) -> Found:
+    def spectrum(self, *, Omega: Arrays, F_0: Arrays, workers: int = 1) -> Found:
         """Evaluate a load spectrum, one tone at a time: .A .transmissibility_dB .motions .crosses .detaches .sticks.
 
         Parameters
@@ -522,7 +524,13 @@ class ManyQuestions(Generic[Found]):
         argument_axes={"tau": "instant", "acceleration": "instant"},
     )
     def transient(
-        self, *, acceleration: Any, duration: Any = None, tau: Any = None, after: float | None = None, workers: int = 1
+        self,
+        *,
+        acceleration: Arrays,
+        duration: Arrays | None = None,
+        tau: Arrays | None = None,
+        after: float | None = None,
+        workers: int = 1,
     ) -> Found:
         """Integrate the response to a shock of the base: .A .tau_A .a_max .tau_a .detaches .tau_detaches .rests .u_end.
 
@@ -543,7 +551,7 @@ class ManyQuestions(Generic[Found]):
         """
 
     @asks({AVERAGING: "A a_max ratio detaches status", OFFSET: "A a_max ratio detaches status stands"})
-    def shock_spectrum(self, *, acceleration: Any, duration: Any, workers: int = 1) -> Found:
+    def shock_spectrum(self, *, acceleration: Arrays, duration: Arrays, workers: int = 1) -> Found:
         """Compute the shock response spectrum of half sines: .A .a_max .ratio .detaches; with a load .stands too.
 
         Parameters
@@ -566,7 +574,7 @@ class ManyQuestions(Generic[Found]):
         )
     )
     def random(
-        self, *, S_0: Any = None, psd: tuple[Any, Any] | None = None, max_count: int = 3, workers: int = 1
+        self, *, S_0: Arrays | None = None, psd: tuple[Reals, Reals] | None = None, max_count: int = 3, workers: int = 1
     ) -> Found:
         """Find stationary random vibration: .B .u_rms, ascending, .v_rms .a_rms .stiffness .damping .beyond .dry.
 

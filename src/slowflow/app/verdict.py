@@ -122,7 +122,7 @@ def _of_design(scene: Any) -> Verdict:
                 row, message = [math.nan, math.nan, "", math.nan, False], f"{one.name}, {case}: {error}"
             rows.append((one.name, case, *row))
             texts.append(message)
-    columns = dict(zip(Verdict.entry._fields, map(np.array, zip(*rows, strict=True)), strict=True))
+    columns: dict[str, Any] = dict(zip(Verdict.entry._fields, map(np.array, zip(*rows, strict=True)), strict=True))
     return Verdict(**columns, message=joined(*dict.fromkeys(texts)))
 
 

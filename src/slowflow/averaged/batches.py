@@ -30,6 +30,7 @@ from slowflow_kernels.conventions import FoldKind, OnsetKind, Status
 from slowflow_kernels.domains import DAMPING, DISSIPATION
 
 if TYPE_CHECKING:
+    import xarray
     from matplotlib.axes import Axes
 
     # which columns an answer has, its row tells; four of them some answers compute
@@ -86,9 +87,14 @@ class Batch(Answer, OfDesigns):
         own = self.question.name, dict(self._values), self._designs, dict(self.arguments), self.system
         return partial(type(self), **self._extra), own
 
-    def __getattr__(self, name: str) -> Any:
+    if not TYPE_CHECKING:
+
+        def __getattr__(self, name: str) -> Any:
+            raise self._without(name)
+
+    def _without(self, name: str) -> validate.NoAttribute:
         values = self.__dict__.get("_values", {})  # not there yet while it is made
-        raise validate.NoAttribute(f"{name!r} is not a column of this answer: it has {', '.join(values)}")
+        return validate.NoAttribute(f"{name!r} is not a column of this answer: it has {', '.join(values)}")
 
     def __repr__(self) -> str:
         columns = ", ".join(f"{name}={value!r}" for name, value in self._values.items())
@@ -132,7 +138,7 @@ class Batch(Answer, OfDesigns):
         """The parameters of the designs and the arguments of the query, by name."""
         return {**self._designs.values, **{name: np.asarray(value) for name, value in self.arguments.items()}}
 
-    def columns(self) -> dict[str, Any]:
+    def columns(self) -> dict[str, npt.NDArray[Any]]:
         """A row for each design, in the order of the flattened arrays: its parameters, then the numbers of the answer.
 
         An answer with several entries has a column for each, such as Omega_0. Curves have a row for each point of each
@@ -141,7 +147,7 @@ class Batch(Answer, OfDesigns):
         """
         return in_rows(self._inputs, self._values, self.inner)
 
-    def to_xarray(self) -> Any:
+    def to_xarray(self) -> xarray.Dataset:
         """Make a Dataset with dimensions "design_0" and so on; parameters, F_0 and Omega are coordinates.
 
         Several entries of an answer are an additional dimension. All units are "1", dimensionless. Raises ImportError
@@ -251,7 +257,7 @@ class Batch(Answer, OfDesigns):
     def _has(self, name: str, *questions: str) -> None:
         """Raises NoAttribute where the answer has nothing of this name."""
         if self.question.name not in questions:
-            self.__getattr__(name)
+            raise self._without(name)
 
     @cached_property
     def phi(self) -> Floats:  # type: ignore[override]

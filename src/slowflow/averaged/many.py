@@ -31,7 +31,7 @@ from slowflow.averaged.chunks import blocks, map_chunks
 from slowflow.averaged.defined import check_defined, may_be_undefined
 from slowflow.averaged.questions import Averaged
 from slowflow.core import backend, validate
-from slowflow.core.mechanism import Flags, Mechanism
+from slowflow.core.mechanism import Flags, Mechanism, Reals
 from slowflow.core.model import THROUGHOUT, Floats, Laws, Model, SlowFlow, check_names
 from slowflow.support import progress
 from slowflow.support.errors import Refused
@@ -183,7 +183,7 @@ PROVED_STATES = Question("certify", None, backend.SOLVER.many_proved_amplitudes,
 BY_NAME = {one.name: one for one in (DETACHMENT, ONSET, SADDLE_NODES, AMPLITUDES, PEAK)}
 
 
-class Designs(Unchanging, ManyQuestions[Batch]):
+class Designs(Unchanging, ManyQuestions[Batch, Reals]):
     """Arrays of designs of one mechanism, and the questions about them.
 
     mechanism -- record of the mechanism

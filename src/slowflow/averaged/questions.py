@@ -122,7 +122,7 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
         merged: dict[str, Any] = pairs.with_rests(at, sticks, found.Omega, columns)
         return dataclasses.replace(found, **merged, message=joined(found.message, message))
 
-    def states(self, *, Omega: Any, F_0: float, allowance: proofs.Allowance | None = None) -> SteadyStates:
+    def states(self, *, Omega: Reals, F_0: float, allowance: proofs.Allowance | None = None) -> SteadyStates:
         """`amplitudes` of moving masses without the diagnostics of averaging, as a start for other approximations."""
         at = validate.frequencies("Omega", Omega).ravel()
         allowance = allowance or proofs.Allowance()
@@ -393,7 +393,7 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
         return np.broadcast_to(np.where(force <= self.model.m, 0.0, bounded), shape).copy()
 
     @np.errstate(all="ignore")
-    def equivalent_damping(self, *, Omega: Any, A: Any) -> Floats:
+    def equivalent_damping(self, *, Omega: Reals, A: Reals) -> Floats:
         """Compute zeta_eq, the viscous damping ratio that dissipates as much per cycle (38).
 
         Parameters
@@ -417,7 +417,7 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
         return _in_range("the equivalent damping", damping)
 
     @np.errstate(all="ignore")
-    def stability(self, *, Omega: Any, A: Any) -> Floats:
+    def stability(self, *, Omega: Reals, A: Reals) -> Floats:
         """Compute the left side of (30): a steady state at (Omega, A) is stable where it is positive.
 
         Parameters
@@ -439,7 +439,12 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
         return _in_range("the left side of (30)", self.model.stability(Omega, A))
 
     def plot(
-        self, F_0: Any, *, Omega: tuple[float, float] = validate.WINDOW, of: str = "A", ax: Axes | None = None
+        self,
+        F_0: Reals,
+        *,
+        Omega: tuple[float, float] = validate.WINDOW,
+        of: str = "A",
+        ax: Axes | None = None,
     ) -> Axes:
         """Draw the response at one forcing, or at each of several, into Matplotlib axes.
 

@@ -50,6 +50,9 @@ class Array(Protocol):
 
 #: what is taken for one real number or several
 Reals = float | Sequence[float] | Sequence[Sequence[float]] | Array
+#: the same, without names of axes and not in blocks
+Numeric = np.floating[Any] | np.integer[Any]
+Unlabelled = float | Numeric | Sequence[float] | Sequence[Sequence[float]] | npt.NDArray[Numeric]
 
 
 @dataclass(frozen=True)

@@ -19,7 +19,7 @@ from slowflow_kernels.domains import CONTACTS, EXCITATIONS
 
 def designs_of(
     mechanism: Mechanism, values: dict[str, Any], laws: dict[str, Any], contact: str, excitation: str, load: Any
-) -> ManyQuestions[Any]:
+) -> Any:
     """Make designs of a mechanism from numbers by name; labelled arrays make a map.
 
     laws -- eta, c_2, ...: a plain 0 means absent, as for load
@@ -37,7 +37,7 @@ def designs_of(
     if "load" in values:
         from slowflow.grid.offset import OffCentreDesigns
 
-        designs: ManyQuestions[Any] = OffCentreDesigns(mechanism, numbers, excitation)
+        designs: ManyQuestions[Any, Any] = OffCentreDesigns(mechanism, numbers, excitation)
     else:
         designs = Designs(mechanism, numbers, excitation, contact)
     if not named:

@@ -10,7 +10,7 @@ import pickle
 from collections.abc import Mapping
 from enum import IntEnum
 from functools import cached_property
-from typing import Any, Self
+from typing import TYPE_CHECKING, Any, Self
 
 import numpy as np
 
@@ -25,13 +25,16 @@ from slowflow.support.immutable import Unchanging
 from slowflow.support.text import text
 from slowflow_kernels.domains import DAMPING, DISSIPATION
 
+if TYPE_CHECKING:
+    import xarray
+
 __all__ = ["Grid"]
 
 #: designs in a block where the arrays do not say how they are to be cut: some tens of MB
 AT_ONCE = 2**18
 
 
-class Grid(Unchanging, ManyQuestions[Any]):
+class Grid(Unchanging, ManyQuestions["xarray.Dataset", Any]):
     """Designs of one mechanism over named axes, and the questions about them; answers are xarray Datasets.
 
     mechanism -- record of the mechanism
@@ -83,7 +86,7 @@ class Grid(Unchanging, ManyQuestions[Any]):
         """The answer to a question by its name, from what its method takes, as a Dataset."""
         return self._answer(*self._query(question, workers, **arguments))
 
-    def store(self, path: Any, question: str, *, workers: int = 1, **arguments: Any) -> Any:
+    def store(self, path: Any, question: str, *, workers: int = 1, **arguments: Any) -> xarray.Dataset:
         """Write a question's answer into a Zarr store, block by block; an incomplete store is continued.
 
         path      -- folder of the store, which every worker of a cluster must reach; or another store that Zarr accepts

@@ -55,7 +55,7 @@ class RestPositions(Table, entry="Rest"):
     remarks: Remark = field(default=Remark(0), kw_only=True)
     _model: Model | None = field(default=None, kw_only=True, repr=False)
 
-    def measure(self) -> NoReturn:
+    def measure(self, force: str | None = None) -> NoReturn:
         """Raise NotAvailable: an equilibrium is exact, nothing is averaged."""
         raise validate.NotAvailable(NOT_MEASURED)
 

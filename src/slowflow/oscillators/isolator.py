@@ -8,7 +8,7 @@ from __future__ import annotations
 import dataclasses
 import warnings
 from collections.abc import Mapping
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -17,13 +17,19 @@ from slowflow.core import validate
 from slowflow.core.mechanism import LINEAR, Force, Mechanism, described
 from slowflow.core.model import THROUGHOUT, Laws, Model
 from slowflow.oscillators import range_checks
-from slowflow.oscillators.oscillator import FORCES, Oscillator
+from slowflow.oscillators.oscillator import FORCES, Oscillator, of_arrays_or_labelled
 from slowflow.oscillators.physical import Physical
 from slowflow.support.errors import Refused
 from slowflow.support.text import text
 from slowflow_kernels import duffing, rod_spring
 from slowflow_kernels.domains import DAMPING, DISSIPATION
 from slowflow_kernels.scaling import SCALES
+
+if TYPE_CHECKING:
+    from slowflow.answers.quantities import Number
+    from slowflow.core.mechanism import Unlabelled
+    from slowflow.grid.many import Designs
+
 
 ROD_SPRING: Mechanism = rod_spring.MECHANISM
 DUFFING: Mechanism = duffing.MECHANISM
@@ -152,23 +158,23 @@ class Isolator(Oscillator):
     def physical(
         cls,
         *,
-        m: Any,
-        k_v: Any,
-        k_h: Any,
-        L: Any,
-        preload: Any,
+        m: Number,
+        k_v: Number,
+        k_h: Number,
+        L: Number,
+        preload: Number,
         n: int = 3,
         mounts: int = 1,
-        friction: Any = 0.0,
-        c: Any = None,
+        friction: Number = 0.0,
+        c: Number | None = None,
         zeta: float | None = None,
         eta: float = 0.0,
-        c_2: Any = 0.0,
-        c_3: Any = 0.0,
-        c_xx: Any = 0.0,
+        c_2: Number = 0.0,
+        c_3: Number = 0.0,
+        c_xx: Number = 0.0,
         contact: str = THROUGHOUT,
-        static_friction: Any = None,
-        load: Any = None,
+        static_friction: Number | None = None,
+        load: Number | None = None,
         force: str = "untruncated",
         excitation: str = "force",
     ) -> Physical:
@@ -247,7 +253,15 @@ class Isolator(Oscillator):
         with scales.in_these_terms():
             isolator = cls(force=force, excitation=scales.of_oscillator, contact=laws.contact, mu_s=mu_s, **numbers)
         range_checks.warn(range_checks.of_mount(known, isolator.zeta, mounts), stacklevel=3)
-        arguments = {"m": m, "k_v": k_v, "k_h": k_h, "n": n, "L": L, "preload": preload, "friction": friction}
+        arguments: dict[str, Any] = {
+            "m": m,
+            "k_v": k_v,
+            "k_h": k_h,
+            "n": n,
+            "L": L,
+            "preload": preload,
+            "friction": friction,
+        }
         arguments |= {"mounts": mounts} if mounts > 1 else {}
         arguments |= {"c": c} if c is not None else {"zeta": isolator.zeta}
         in_terms = {"c_2": ("c_2", c_2), "c_3": ("c_3", c_3), "zeta_2": ("c_xx", c_xx)}
@@ -259,25 +273,25 @@ class Isolator(Oscillator):
 
     _of_sheet = staticmethod(_of_rods)
 
-    @classmethod
+    @of_arrays_or_labelled
     @validate.with_known_arguments
     def many(  # type: ignore[override]
         cls,
         *,
-        lam: Any,
-        r: Any,
-        delta_h: Any,
-        mu: Any = 0.0,
-        zeta: Any = 0.0,
-        eta: Any = 0.0,
-        c_2: Any = 0.0,
-        c_3: Any = 0.0,
-        zeta_2: Any = 0.0,
+        lam: Unlabelled,
+        r: Unlabelled,
+        delta_h: Unlabelled,
+        mu: Unlabelled = 0.0,
+        zeta: Unlabelled = 0.0,
+        eta: Unlabelled = 0.0,
+        c_2: Unlabelled = 0.0,
+        c_3: Unlabelled = 0.0,
+        zeta_2: Unlabelled = 0.0,
         contact: str = THROUGHOUT,
         force: str = "truncated",
         excitation: str = "force",
-        load: Any = 0.0,
-    ) -> Any:
+        load: Unlabelled = 0.0,
+    ) -> Designs:
         """Make a batch of isolators from the arguments of `Isolator`, arrays that broadcast; see `Oscillator.many`.
 
         Arrays of xarray or dask make a map over named axes, which may be larger than memory; see
@@ -288,7 +302,8 @@ class Isolator(Oscillator):
         """
         numbers = {"lam": lam, "r": r, "delta_h": delta_h, "mu": mu, "zeta": zeta}
         numbers |= {"eta": eta, "c_2": c_2, "c_3": c_3, "zeta_2": zeta_2}
-        return super().many(_averaged(force), contact=contact, excitation=excitation, load=load, **numbers)
+        found: Designs = super().many(_averaged(force), contact=contact, excitation=excitation, load=load, **numbers)
+        return found
 
 
 class Duffing(Oscillator):
@@ -331,16 +346,16 @@ class Duffing(Oscillator):
     def physical(
         cls,
         *,
-        m: Any,
-        k_1: Any,
-        k_3: Any = 0.0,
-        friction: Any = 0.0,
-        c: Any = None,
+        m: Number,
+        k_1: Number,
+        k_3: Number = 0.0,
+        friction: Number = 0.0,
+        c: Number | None = None,
         zeta: float | None = None,
         eta: float = 0.0,
-        c_2: Any = 0.0,
-        c_3: Any = 0.0,
-        c_xx: Any = 0.0,
+        c_2: Number = 0.0,
+        c_3: Number = 0.0,
+        c_xx: Number = 0.0,
         excitation: str = "force",
     ) -> Physical:
         """Make a mass on a cubic spring, k_1 x + k_3 x^3, in newtons, metres and hertz.
@@ -367,7 +382,12 @@ class Duffing(Oscillator):
         (damping,) = viscous = _viscous(c, zeta)
         springs = {"k_1": k_1, "k_3": k_3}
         laws = {"friction": friction, "eta": eta, "c_2": c_2, "c_3": c_3, "c_xx": c_xx, **viscous}
-        arguments = {"m": m, **springs, **laws, "excitation": validate.excitation(excitation, tuple(EXCITED))}
+        arguments: dict[str, Any] = {
+            "m": m,
+            **springs,
+            **laws,
+            "excitation": validate.excitation(excitation, tuple(EXCITED)),
+        }
         in_si = {name: si(name, value, SHEET[name]) for name, value in arguments.items()}
         in_si |= {name: validate.number(name, in_si[name]) for name in springs}
         if not any(in_si[name] for name in springs):
@@ -379,22 +399,23 @@ class Duffing(Oscillator):
 
     _of_sheet = staticmethod(_of_cubic)
 
-    @classmethod
+    @of_arrays_or_labelled
     @validate.with_known_arguments
     def many(  # type: ignore[override]
         cls,
-        alpha: Any,
-        beta: Any,
-        mu: Any = 0.0,
-        zeta: Any = 0.0,
+        alpha: Unlabelled,
+        beta: Unlabelled,
+        mu: Unlabelled = 0.0,
+        zeta: Unlabelled = 0.0,
         *,
-        eta: Any = 0.0,
-        c_2: Any = 0.0,
-        c_3: Any = 0.0,
-        zeta_2: Any = 0.0,
+        eta: Unlabelled = 0.0,
+        c_2: Unlabelled = 0.0,
+        c_3: Unlabelled = 0.0,
+        zeta_2: Unlabelled = 0.0,
         excitation: str = "force",
-        load: Any = 0.0,
-    ) -> Any:
+        load: Unlabelled = 0.0,
+    ) -> Designs:
         """Make a batch from the arguments of `Duffing`, arrays that broadcast; see `Isolator.many`."""
         damping = {"mu": mu, "zeta": zeta, "eta": eta, "c_2": c_2, "c_3": c_3, "zeta_2": zeta_2}
-        return super().many(DUFFING, alpha=alpha, beta=beta, excitation=excitation, load=load, **damping)
+        found: Designs = super().many(DUFFING, alpha=alpha, beta=beta, excitation=excitation, load=load, **damping)
+        return found

@@ -8,7 +8,7 @@ from __future__ import annotations
 import warnings
 from collections.abc import Callable
 from functools import cached_property, partial
-from typing import TYPE_CHECKING, Any, Self
+from typing import TYPE_CHECKING, Any, Concatenate, Generic, ParamSpec, Protocol, Self, TypeVar, overload
 
 import numpy as np
 
@@ -31,12 +31,34 @@ if TYPE_CHECKING:
     from slowflow.answers.certificate import Certificate
     from slowflow.averaged import checks
     from slowflow.averaged.plan import Plan
-    from slowflow.core.mechanism import Reals
+    from slowflow.core.mechanism import Reals, Unlabelled
     from slowflow.exact.questions import Motions
+    from slowflow.grid.many import Designs
     from slowflow.off_centre.answers import RestPositions
     from slowflow.off_centre.questions import OffCentre
     from slowflow.random_vibration.answers import RandomResponse
     from slowflow.second import SecondApproximation
+
+P = ParamSpec("P")
+R = TypeVar("R", covariant=True)
+if TYPE_CHECKING:
+
+    class Many(Protocol[P, R]):
+        """What makes designs of plain arrays, and of arrays with named axes or in blocks a `Grid`."""
+
+        @overload
+        def __call__(self, *arguments: P.args, **named: P.kwargs) -> R: ...
+        @overload
+        def __call__(self, *labelled: Any, **named: Any) -> Any: ...
+
+    class of_arrays_or_labelled(Generic[P, R]):
+        """A classmethod that is `Many` to type checkers."""
+
+        def __init__(self, method: Callable[Concatenate[Any, P], R]) -> None: ...
+        def __get__(self, one: object, kind: object = None) -> Many[P, R]: ...
+
+else:
+    of_arrays_or_labelled = classmethod
 
 #: frequencies shown of the equation of motion, whose cycle has ever more stops as Omega tends to 0
 EXACT_WINDOW = (0.5, 1.5)
@@ -582,22 +604,23 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         validate.is_plain("second_approximation", self.model.laws.description())
         return SecondApproximation(self)
 
-    @classmethod
+    @of_arrays_or_labelled
     def many(
         cls,
+        /,
         mechanism: Mechanism,
         *,
-        mu: Any = 0.0,
-        zeta: Any = 0.0,
-        eta: Any = 0.0,
-        c_2: Any = 0.0,
-        c_3: Any = 0.0,
-        zeta_2: Any = 0.0,
+        mu: Unlabelled = 0.0,
+        zeta: Unlabelled = 0.0,
+        eta: Unlabelled = 0.0,
+        c_2: Unlabelled = 0.0,
+        c_3: Unlabelled = 0.0,
+        zeta_2: Unlabelled = 0.0,
         contact: str = THROUGHOUT,
         excitation: str = "force",
-        load: Any = 0.0,
-        **design: Any,
-    ) -> Any:
+        load: Unlabelled = 0.0,
+        **design: Unlabelled,
+    ) -> Designs:
         """Make a batch of designs of one mechanism from arrays that broadcast; see `slowflow.averaged.many`.
 
         Arrays of xarray or dask make a map over named axes; see `slowflow.grid.designs`. With a load, or for a force
@@ -608,7 +631,8 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         from slowflow.grid import designs_of
 
         values, laws = {**design, "mu": mu, "zeta": zeta}, {"eta": eta, "c_2": c_2, "c_3": c_3, "zeta_2": zeta_2}
-        return designs_of(mechanism, values, laws, contact, excitation, load)
+        found: Designs = designs_of(mechanism, values, laws, contact, excitation, load)
+        return found
 
 
 def _remade(kind: type[Oscillator], arguments: dict[str, Any]) -> Oscillator:

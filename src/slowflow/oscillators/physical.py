@@ -31,11 +31,17 @@ if TYPE_CHECKING:
 
     from matplotlib.axes import Axes
 
+    from slowflow import exact
     from slowflow.answers import physical_answers as answers
-    from slowflow.answers.physical_answers import Amplitude, Number, Numbers, Window
+    from slowflow.answers import results
+    from slowflow.answers.physical_answers import Amplitude
+    from slowflow.answers.quantities import Number, Numbers, Window
+    from slowflow.averaged import checks
     from slowflow.averaged.plan import Plan
+    from slowflow.off_centre.answers import RestPositions
     from slowflow.oscillators.oscillator import Oscillator
     from slowflow.oscillators.physical_designs import PhysicalDesigns
+    from slowflow.random_vibration.answers import RandomResponse
 
 #: meaning of A for a motion with a mean displacement
 LARGEST = "A is the largest |x|, the mean displacement included: x_max of an averaged motion"
@@ -118,7 +124,7 @@ class Physical(TakesAmplitude):
         replaced = {one: other for one, other in (("c", "zeta"), ("zeta", "c")) if other in changes}
         return {**{name: value for name, value in self.given.items() if name not in replaced}, **changes}
 
-    def at_rest(self) -> answers.AtRest:
+    def at_rest(self) -> answers.AtRest[checks.AtRest]:
         """Compute the data of a data sheet: natural frequencies, stiffness, stroke, loads, friction.
 
         Returns
@@ -152,7 +158,7 @@ class Physical(TakesAmplitude):
             "heaviest": None if beyond is None else m + beyond,
         }
         units = {"f_n": "Hz", **found.units, "preset": "m", "lightest": "kg", "heaviest": "kg"}
-        return cast("answers.AtRest", Quantities(values, units, found.answer))
+        return cast("answers.AtRest[checks.AtRest]", Quantities(values, units, found.answer))
 
     def sag(self, load: Number) -> float:
         """Compute the equilibrium, in m from the centre, of a mass `load` in kg on a spring k_v preloaded for m (5)."""
@@ -169,7 +175,7 @@ class Physical(TakesAmplitude):
 
     # ---- the questions
 
-    def rest(self) -> answers.Rows:
+    def rest(self) -> answers.Rows[RestPositions]:
         """Find every equilibrium, without friction: .x in m, .stable, .stiffness in N/m, .load in kg."""
         return self._answer("rest")
 
@@ -181,23 +187,25 @@ class Physical(TakesAmplitude):
         """Compute the slope of the restoring force in N/m at displacements x in m, in their shape."""
         return np.asarray(self._ask("stiffness", x=x) * self.scales.sizes["stiffness"])
 
-    def saddle_node_onset(self) -> answers.One:
+    def saddle_node_onset(self) -> answers.One[results.SaddleNodeOnset]:
         """Find the lowest amplitude that has a fold (33): .F_SN in N, .f in Hz, .A in m, .kind."""
         return self._answer("saddle_node_onset")
 
-    def detachment(self) -> answers.One:
+    def detachment(self) -> answers.One[results.Detachment]:
         """Find the lowest amplitude whose response reaches the stroke (34): .F_cr in N, .f_cr in Hz, .x_cr in m."""
         return self._answer("detachment")
 
-    def saddle_nodes(self, amplitude: Number | None = None, /, **at: Unpack[Amplitude[Number]]) -> answers.AtOne:
+    def saddle_nodes(
+        self, amplitude: Number | None = None, /, **at: Unpack[Amplitude[Number]]
+    ) -> answers.AtOne[results.SaddleNodes]:
         """Find every fold at F in N (or Y, a, U), where a sweep jumps (30): .f in Hz, .A in m, .kind, .corner."""
         return self._answer("saddle_nodes", amplitude, at)
 
-    def peak(self, amplitude: Number | None = None, /, **at: Unpack[Amplitude[Number]]) -> answers.One:
+    def peak(self, amplitude: Number | None = None, /, **at: Unpack[Amplitude[Number]]) -> answers.One[results.Peak]:
         """Find the highest peak at F in N (or Y, a, U): .A in m at .f in Hz; under a load .x_max at .f_max too."""
         return self._answer("peak", amplitude, at)
 
-    def amplitudes(self, *, f: Numbers, **at: Unpack[Amplitude[Numbers]]) -> answers.States:
+    def amplitudes(self, *, f: Numbers, **at: Unpack[Amplitude[Numbers]]) -> answers.States[results.SteadyStates]:
         """Find every steady state at f (24), (30): .f in Hz, .A in m, .phi in rad, .stable, .transmissibility_dB.
 
         Under a load .A is the amplitude about the mean displacement .B, and .x_max = |B| + A the largest |x|, all in m.
@@ -219,7 +227,7 @@ class Physical(TakesAmplitude):
         f: Window | None = None,
         samples: int = 1000,
         **at: Unpack[Amplitude[Number]],
-    ) -> answers.AtOne:
+    ) -> answers.AtOne[results.FrequencyResponse]:
         """Compute the response curve (24): .f in Hz, .A in m, .phi in rad, .stable, .branch, .transmissibility_dB.
 
         Parameters
@@ -233,7 +241,7 @@ class Physical(TakesAmplitude):
         """
         return self._answer("frequency_response", amplitude, at, f=f, samples=samples)
 
-    def fold_locus(self, *, samples: int = 1000, A_max: Number | None = None) -> answers.AtEach:
+    def fold_locus(self, *, samples: int = 1000, A_max: Number | None = None) -> answers.AtEach[results.FoldLocus]:
         """Trace the folds of every amplitude, F_A = 0 (30): .f in Hz, .A in m, .F in N, .branch.
 
         Parameters
@@ -245,11 +253,11 @@ class Physical(TakesAmplitude):
         """
         return self._answer("fold_locus", samples=samples, A_max=A_max)
 
-    def cusps(self, *, A_max: Number | None = None) -> answers.AtEach:
+    def cusps(self, *, A_max: Number | None = None) -> answers.AtEach[results.Cusps]:
         """Find the cusps, where two folds appear or merge, up to A_max in m: .F in N, .f in Hz, .A in m, .minimum."""
         return self._answer("cusps", A_max=A_max)
 
-    def isola_points(self, *, A_max: Number | None = None) -> answers.AtEach:
+    def isola_points(self, *, A_max: Number | None = None) -> answers.AtEach[results.IsolaPoints]:
         """Find where isolated curves appear or merge, up to A_max in m: .F in N, .f in Hz, .A in m, .kind."""
         return self._answer("isola_points", A_max=A_max)
 
@@ -306,7 +314,7 @@ class Physical(TakesAmplitude):
         x_0: Number | None = None,
         v_0: Number = 0.0,
         **at: Unpack[Amplitude[Number]],
-    ) -> answers.SteadyState:
+    ) -> answers.SteadyState[exact.SteadyState]:
         """Find a periodic motion of the equation of motion (3), and its displacement over one period.
 
         Parameters
@@ -333,7 +341,10 @@ class Physical(TakesAmplitude):
         message = joined("" if self.oscillator.load == 0 else LARGEST, found.message)
         series = dict(zip(("tau", "u", "v"), found.series(samples), strict=True))
         names = ("Omega", "A", "stops", "stable", "period")
-        return cast("answers.SteadyState", one._named(found, (), *names, F_0=found.F_0, message=message, **series))
+        return cast(
+            "answers.SteadyState[exact.SteadyState]",
+            one._named(found, (), *names, F_0=found.F_0, message=message, **series),
+        )
 
     def exact_response(
         self,
@@ -341,12 +352,12 @@ class Physical(TakesAmplitude):
         /,
         *,
         f: Window | None = None,
-        start: Quantities | None = None,
+        start: answers.SteadyState[exact.SteadyState] | None = None,
         step: float = 0.02,
         x_0: Number | None = None,
         v_0: Number = 0.0,
         **at: Unpack[Amplitude[Number]],
-    ) -> answers.Response:
+    ) -> answers.Response[exact.Response]:
         """Follow the response curve of the equation of motion (3): points, stability, stops, folds.
 
         Parameters
@@ -376,11 +387,11 @@ class Physical(TakesAmplitude):
         folds = {name: np.array([getattr(one, name) for one in found.folds], of) for name, of in columns.items()}
         curve = one._named(found, ("Omega", "A", "stable", "stops"), "F_0", "closed", "message", "complete")
         values = {**curve.values, "folds": self.scales.named(folds, found.folds, tuple(columns))}
-        return cast("answers.Response", dataclasses.replace(curve, values=values))
+        return cast("answers.Response[exact.Response]", dataclasses.replace(curve, values=values))
 
     def sweep(
         self, *, f: Numbers, x_0: Number | None = None, v_0: Number = 0.0, **at: Unpack[Amplitude[Number]]
-    ) -> answers.AtOne:
+    ) -> answers.AtOne[exact.Sweep]:
         """Follow a stepped-sine test: .f in Hz, .A in m, .stops, .settled, and .jumps in Hz, shape (k, 2).
 
         Parameters
@@ -396,7 +407,7 @@ class Physical(TakesAmplitude):
         found = one._ask("sweep", f=f, F_0=F_0, x_0=x_0, v_0=v_0)
         jumps = np.array(found.jumps).reshape(-1, 2)
         entry = ("Omega", "A", "stops", "settled")
-        return cast("answers.AtOne", one._named(found, entry, "F_0", "message", jumps=jumps))
+        return cast("answers.AtOne[exact.Sweep]", one._named(found, entry, "F_0", "message", jumps=jumps))
 
     def transient(
         self,
@@ -408,7 +419,7 @@ class Physical(TakesAmplitude):
         samples: int = 400,
         x_0: Number | None = None,
         v_0: Number = 0.0,
-    ) -> answers.Transient:
+    ) -> answers.Transient[exact.Transient]:
         """Integrate the response to a shock of the base, or the free motion from x_0 and v_0, by (3).
 
         Parameters
@@ -437,9 +448,11 @@ class Physical(TakesAmplitude):
         pulse = {"acceleration": acceleration, "duration": duration, "t": t, "after": after}
         found = self._ask("transient", **pulse, x_0=x_0, v_0=v_0)
         names = (field.name for field in dataclasses.fields(found) if field.repr)
-        return cast("answers.Transient", self._named(found, (), *names, **found.series(samples)._asdict()))
+        return cast(
+            "answers.Transient[exact.Transient]", self._named(found, (), *names, **found.series(samples)._asdict())
+        )
 
-    def shock_spectrum(self, *, acceleration: Numbers, duration: Numbers) -> answers.Rows:
+    def shock_spectrum(self, *, acceleration: Numbers, duration: Numbers) -> answers.Rows[exact.ShockSpectrum]:
         """Compute the shock response spectrum of half sines of the base, one row for each.
 
         Parameters
@@ -454,7 +467,7 @@ class Physical(TakesAmplitude):
         """
         return self._answer("shock_spectrum", acceleration=acceleration, duration=duration)
 
-    def random(self, *, psd: tuple[Numbers, Numbers] | Columns, unit: str = "g^2/Hz") -> answers.Random:
+    def random(self, *, psd: tuple[Numbers, Numbers] | Columns, unit: str = "g^2/Hz") -> answers.Random[RandomResponse]:
         """Find the stationary motions under random vibration by statistical linearization.
 
         Parameters
@@ -475,19 +488,25 @@ class Physical(TakesAmplitude):
         excitation, table = density(self.scales, psd, unit)
         with self.scales.in_these_terms():
             found = self.oscillator.random(psd=table)
-        return cast("answers.Random", dataclasses.replace(self.scales, excitation=excitation).quantities(found))
+        return cast(
+            "answers.Random[RandomResponse]", dataclasses.replace(self.scales, excitation=excitation).quantities(found)
+        )
 
-    def margins(self, amplitude: Number | None = None, /, **at: Unpack[Amplitude[Number]]) -> answers.One:
+    def margins(
+        self, amplitude: Number | None = None, /, **at: Unpack[Amplitude[Number]]
+    ) -> answers.One[checks.Margins]:
         """Compare F in N (or Y, a, U) with F_SN and F_cr: .of_SN = F_SN/F and .of_cr = F_cr/F, < 1 if exceeded."""
         return self._answer("margins", amplitude, at)
 
-    def hysteresis(self, amplitude: Number | None = None, /, **at: Unpack[Amplitude[Number]]) -> answers.AtOne:
+    def hysteresis(
+        self, amplitude: Number | None = None, /, **at: Unpack[Amplitude[Number]]
+    ) -> answers.AtOne[checks.Hysteresis]:
         """Find bands with several stable motions at F in N (or Y, a, U): .f_low and .f_high in Hz, .motions."""
         return self._answer("hysteresis", amplitude, at)
 
     def isolation(
         self, amplitude: Number | None = None, /, level_dB: float = 0.0, **at: Unpack[Amplitude[Number]]
-    ) -> answers.One:
+    ) -> answers.One[checks.Isolation]:
         """Find the frequency above which every stable motion transmits less than a level: .f in Hz, .A in m.
 
         Parameters
@@ -499,7 +518,7 @@ class Physical(TakesAmplitude):
         """
         return self._answer("isolation", amplitude, at, level_dB=level_dB)
 
-    def spectrum(self, *, f: Numbers, **at: Unpack[Amplitude[Numbers]]) -> answers.AtEach:
+    def spectrum(self, *, f: Numbers, **at: Unpack[Amplitude[Numbers]]) -> answers.AtEach[checks.Spectrum]:
         """Find the largest stable motion for each row of a load spectrum, one tone at a time, in order.
 
         Parameters

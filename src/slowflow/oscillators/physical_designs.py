@@ -30,23 +30,67 @@ from slowflow.support.immutable import Unchanging
 if TYPE_CHECKING:
     from typing import Protocol, Unpack
 
+    import xarray
     from matplotlib.axes import Axes
 
-    from slowflow.answers.physical_answers import Amplitude, Many, Number, Numbers, Window
+    from slowflow.answers.physical_answers import Amplitude, Many
+    from slowflow.answers.quantities import Number, Numbers, Window
+    from slowflow.grid.many import Designs
     from slowflow.oscillators.measurements import Columns
+    from slowflow.second.many import SecondDesigns
 
-    # the questions as a type checker knows them: `_question` makes them of the table, which refuses further options
+    # the questions as a type checker knows them, by their arguments: `_question` makes them of the table
     class OfMounts(Protocol):
-        def __call__(self, *, max_count: int = 3, workers: int = 1) -> ManyQuantities: ...
+        def __call__(self, *, workers: int = 1) -> ManyQuantities: ...
+
+    class Several(Protocol):
+        def __call__(self, *, max_count: int = ..., workers: int = 1) -> ManyQuantities: ...
 
     class AtAmplitudes(Protocol):
+        def __call__(
+            self, amplitude: Numbers | None = None, /, *, workers: int = 1, **at: Unpack[Amplitude[Numbers]]
+        ) -> ManyQuantities: ...
+
+    class SeveralAtAmplitudes(Protocol):
         def __call__(
             self,
             amplitude: Numbers | None = None,
             /,
             *,
-            f: Numbers | Window | None = None,
-            level_dB: Numbers = 0.0,
+            max_count: int = ...,
+            workers: int = 1,
+            **at: Unpack[Amplitude[Numbers]],
+        ) -> ManyQuantities: ...
+
+    class Levels(Protocol):
+        def __call__(
+            self,
+            amplitude: Numbers | None = None,
+            /,
+            *,
+            level_dB: Numbers | None = None,
+            workers: int = 1,
+            **at: Unpack[Amplitude[Numbers]],
+        ) -> ManyQuantities: ...
+
+    class Proofs(Protocol):
+        def __call__(
+            self,
+            amplitude: Numbers | None = None,
+            /,
+            *,
+            f: Numbers | None = None,
+            workers: int = 1,
+            **at: Unpack[Amplitude[Numbers]],
+        ) -> ManyQuantities: ...
+
+    class Curves(Protocol):
+        def __call__(
+            self,
+            amplitude: Numbers | None = None,
+            /,
+            *,
+            f: Window | None = None,
             samples: int = 1000,
             max_count: int = 6,
             workers: int = 1,
@@ -54,11 +98,14 @@ if TYPE_CHECKING:
         ) -> ManyQuantities: ...
 
     class AtTones(Protocol):
+        def __call__(self, *, f: Numbers, workers: int = 1, **at: Unpack[Amplitude[Numbers]]) -> ManyQuantities: ...
+
+    class SeveralAtTones(Protocol):
         def __call__(
-            self, *, f: Numbers, max_count: int = 6, workers: int = 1, **at: Unpack[Amplitude[Numbers]]
+            self, *, f: Numbers, max_count: int = ..., workers: int = 1, **at: Unpack[Amplitude[Numbers]]
         ) -> ManyQuantities: ...
 
-    class Shocks(Protocol):
+    class Records(Protocol):
         def __call__(
             self,
             *,
@@ -69,10 +116,14 @@ if TYPE_CHECKING:
             workers: int = 1,
         ) -> ManyQuantities: ...
 
+    class Pulses(Protocol):
+        def __call__(self, *, acceleration: Numbers, duration: Numbers, workers: int = 1) -> ManyQuantities: ...
+
     class Vibration(Protocol):
         def __call__(
             self, *, psd: tuple[Numbers, Numbers] | Columns, unit: str = "g^2/Hz", max_count: int = 3, workers: int = 1
         ) -> ManyQuantities: ...
+
 else:  # whose columns are read by name
     Many = object
 
@@ -96,14 +147,16 @@ class ManyQuantities(Quantities, Many):
     """
 
     answer: Batch
-    numbers: Mapping[str, Any] = dataclasses.field(default_factory=dict, repr=False)
+    numbers: Mapping[str, npt.NDArray[Any]] = dataclasses.field(default_factory=dict, repr=False)
 
     def __post_init__(self) -> None:
         super().__post_init__()
         self.__dict__.update(numbers=MappingProxyType(dict(self.numbers)), has_rows=True)
 
-    def __getattr__(self, name: str) -> Any:
-        return getattr(self.answer, name) if name in WHEN_READ else super().__getattr__(name)
+    if not TYPE_CHECKING:
+
+        def __getattr__(self, name: str) -> Any:
+            return getattr(self.answer, name) if name in WHEN_READ else super().__getattr__(name)
 
     @property
     def remarks(self) -> npt.NDArray[np.uint16]:
@@ -125,7 +178,7 @@ class ManyQuantities(Quantities, Many):
         assert self.scales is not None
         return self.scales.symbol(name)
 
-    def columns(self) -> dict[str, Any]:
+    def columns(self) -> dict[str, npt.NDArray[Any]]:
         """A row for each mount, or for each point of its curve: its data, then the numbers of the answer."""
         return in_rows(self.numbers, self.values, self.inner)
 
@@ -133,7 +186,7 @@ class ManyQuantities(Quantities, Many):
         """Return the mechanism and the shape of the mounts."""
         return dict(self.answer.about())
 
-    def to_xarray(self) -> Any:
+    def to_xarray(self) -> xarray.Dataset:
         """Make a Dataset with dimensions "design_0" and so on and units; data and arguments are coordinates."""
         return in_dataset(self.numbers, self.values, self.inner, self._units(), self.about())
 
@@ -193,23 +246,22 @@ class PhysicalDesigns(TakesAmplitude, Unchanging):
     second: bool
     _kind: Any
 
-    if TYPE_CHECKING:
-        detachment: OfMounts
-        saddle_node_onset: OfMounts
-        at_rest: OfMounts
-        rest: OfMounts
-        saddle_nodes: AtAmplitudes
-        hysteresis: AtAmplitudes
-        peak: AtAmplitudes
-        margins: AtAmplitudes
-        isolation: AtAmplitudes
-        certify: AtAmplitudes
-        frequency_response: AtAmplitudes
-        amplitudes: AtTones
-        spectrum: AtTones
-        transient: Shocks
-        shock_spectrum: Shocks
-        random: Vibration
+    detachment: OfMounts
+    saddle_node_onset: OfMounts
+    at_rest: OfMounts
+    rest: Several
+    saddle_nodes: SeveralAtAmplitudes
+    hysteresis: SeveralAtAmplitudes
+    peak: AtAmplitudes
+    margins: AtAmplitudes
+    isolation: Levels
+    certify: Proofs
+    frequency_response: Curves
+    amplitudes: SeveralAtTones
+    spectrum: AtTones
+    transient: Records
+    shock_spectrum: Pulses
+    random: Vibration
 
     def __init__(self, kind: Any, sheet: Mapping[str, Any], second: bool = False) -> None:
         known = {name: value for name, value in sheet.items() if value is not None}
@@ -248,11 +300,11 @@ class PhysicalDesigns(TakesAmplitude, Unchanging):
         return self.dimensionless[0]
 
     @functools.cached_property
-    def designs(self) -> Any:
+    def designs(self) -> Designs | SecondDesigns:
         """The dimensionless designs."""
         scales, numbers = self.dimensionless
         settings = {name: word for name, word in self.settings.items() if name in ("contact", "force")}
-        found = self._kind.many(**numbers, **settings, excitation=scales.of_oscillator)
+        found: Designs = self._kind.many(**numbers, **settings, excitation=scales.of_oscillator)
         return found.second_approximation if self.second else found
 
     def _range_checks(self) -> Iterator[str]:

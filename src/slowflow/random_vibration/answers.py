@@ -11,7 +11,7 @@ import numpy as np
 from slowflow.answers.answer import Drawn, Single, Table
 from slowflow.answers.gradient import Gradient
 from slowflow.core import validate
-from slowflow.core.mechanism import EquationOfMotion, Floats
+from slowflow.core.mechanism import EquationOfMotion, Floats, Reals
 from slowflow.random_vibration.energy import averages
 from slowflow.random_vibration.excitation import Excitation, Tabulated, White
 from slowflow.random_vibration.gradient import gradient
@@ -75,7 +75,7 @@ class RandomResponse(Drawn, Table, entry="Stationary"):
         of = self.excitation
         return (max(near[0], of.Omega[0]), min(near[1], of.Omega[-1])) if isinstance(of, Tabulated) else near
 
-    def response_psd(self, Omega: Any) -> Floats:
+    def response_psd(self, Omega: Reals) -> Floats:
         """One-sided spectral density of u at frequencies, for the linear oscillators, shape (motions, n)."""
         at = validate.positive_array("Omega", Omega)
         Z, _, _ = linearization.response(at, self.stiffness[:, np.newaxis], self.damping[:, np.newaxis])

@@ -24,7 +24,7 @@ from slowflow.averaged.many import Designs, Question
 from slowflow.averaged.questions import Averaged
 from slowflow.core import validate
 from slowflow.core.backend import SOLVER
-from slowflow.core.mechanism import Floats
+from slowflow.core.mechanism import Floats, Reals
 from slowflow.second.questions import SecondApproximation
 from slowflow_kernels import motion
 from slowflow_kernels.conventions import Status
@@ -72,7 +72,7 @@ class SecondBatch(Batch):
 
 
 @dataclass(frozen=True)
-class SecondDesigns(ManyQuestions[SecondBatch]):
+class SecondDesigns(ManyQuestions[SecondBatch, Reals]):
     """The questions about many designs in the second approximation, made by `.second_approximation` of designs.
 
     `workers` as for the designs.

@@ -14,6 +14,7 @@ from functools import partial
 from typing import TYPE_CHECKING, Any, Unpack
 
 import numpy as np
+import numpy.typing as npt
 import scipy  # its `stats`, half a second, when it is used
 from scipy.optimize import differential_evolution, minimize
 
@@ -78,7 +79,7 @@ class Met(Answer):
         units = {name: unit for name, (unit, _) in shown.items() if unit}
         return replace(self, reached=reached, units={**self.units, **units})
 
-    def columns(self) -> dict[str, Any]:
+    def columns(self) -> dict[str, npt.NDArray[Any]]:
         """Whether they are met, the free parameters and the required answers by name, and the message."""
         found = {"feasible": self.feasible, **self.numbers, **self.reached}
         return {name: np.array([value]) for name, value in (found | {"message": self.message}).items()}
@@ -119,7 +120,7 @@ class Front(Table, entry="Compromise"):
         """Make the oscillator or mount of row k."""
         return self._of.replace(**{name: float(values[k]) for name, values in self.numbers.items()})
 
-    def columns(self) -> dict[str, Any]:
+    def columns(self) -> dict[str, npt.NDArray[Any]]:
         """The two answers by name, and the free parameters."""
         return {self.answers[0]: self.one, self.answers[1]: self.other, **self.numbers}
 
