@@ -134,9 +134,9 @@ SECTIONS = {
     ),
     "peers": Section(
         "Other tools",
-        """Table 1 with F_0 = 0.04: the averaged response from Omega = 0.3 to 2 and both folds, all in one run, in
-turn. A fold counts as found within 1 %; the error is the larger of the two found. Each tool runs in an environment of
-its own; `benchmarks/peers/` has an adapter for each.""",
+        """Table 1 with F_0 = 0.04: the averaged response from Omega = 0.3 to 2 and both folds, in turn in one run. A
+tool measured earlier is compared with slowflow as measured then. A fold counts as found within 1 %; the error is the
+larger of the two found. Each tool runs in an environment of its own; `benchmarks/peers/` has an adapter for each.""",
         {
             "tool": tool,
             "variant": lambda row: row.get("variant", ""),

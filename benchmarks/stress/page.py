@@ -29,9 +29,9 @@ U = 2.0**-53
 #: what is known of kernels that miss the target
 WHY = {
     "rod_spring.F_A": "the errors of h and h_A are 0.3 u (1 + kappa), with kappa 20 and 21; in F_A they cancel, "
-    "to kappa = 1.2. From h and h_A rounded once the error is 0.74",
+    "to kappa = 1.2. From h and h_A rounded once, the error is 0.74",
     "rod_spring.fold_quartic": "the coefficient h h_A: the errors of h and h_A are 0.3 and 2.1 u (1 + kappa), with "
-    "kappa 5 and 7 of opposite signs; the product has kappa = 1.3. From h and h_A rounded once the error is 0.67",
+    "kappa 5 and 7 of opposite signs; the product has kappa = 1.3. From h and h_A rounded once, the error is 0.67",
     "rod_spring.saddle_node_onset": "the coefficient of A^20 is a sum of seven products of both signs, each rounded "
     "several times; the largest is 11 times the sum, their absolute values are 24 times the sum, and 1 + kappa is 17",
     "rod_spring_untruncated.F_A": "as for rod_spring, the conditions of h and h_A cancel. A longer search found 5.6",
@@ -313,11 +313,11 @@ def in_short(numbers: Numbers) -> list[str]:
         f"{number(max(value(w['error']) for w in of_roots))}; {wrong_roots} wrong root counts.",
         f"- **Answers, target {answers.TARGET:g} u (1 + κ)**: {len(of_answers) - len(missed)} of {len(of_answers)} "
         f"kinds meet it{'; the others are marked below' if missed else ''}.",
-        f"- **Counts, target none wrong of 10^7**: of {cases:,} near levels at which the count changes, {wrong:,} are "
-        f"wrong and not marked; {marked:,} ({marked / cases:.1%}) are marked as undecided in double precision. "
-        f"Ball arithmetic, for {balls:,} of these, leaves {open_:,} undecided and {wrong_balls:,} wrong. Of {many:,} "
-        f"further cases, {differ:,} differ from a proof and are not marked, {of_many:,} ({of_many / many:.1%}) are "
-        f"marked, and {unproved:,} have no proof.",
+        f"- **Counts, target none wrong of 10^7**: of {cases:,} cases near levels at which the count changes, "
+        f"{wrong:,} are wrong and not marked; {marked:,} ({marked / cases:.1%}) are marked as undecided in double "
+        f"precision. Ball arithmetic, for {balls:,} of these, leaves {open_:,} undecided and {wrong_balls:,} wrong. "
+        f"Of {many:,} further cases, {differ:,} differ from a proof and are not marked, {of_many:,} "
+        f"({of_many / many:.1%}) are marked, and {unproved:,} have no proof.",
         f"- **Proofs, target 99 % of folds in double precision, in at most twice the time**: "
         f"{fraction(numbers['proofs'][0], 'folds', 'alone')} at {numbers['proofs'][0]['ratio']:.2f} times the time of "
         f"`saddle_nodes`, median; with balls {balls_fraction(numbers['proofs'][0])}.",
