@@ -17,6 +17,7 @@ from tests.oracles import make_random_isolators as generator
 from tests.oracles.averaged import BITS, CORNER, DETACHED, Oscillator, bezout
 from tests.oracles.certified_roots import isolate, polynomial_roots, precision
 from tests.oracles.definitions.averaged_force import doubles_at_ends, harmonic_by_quadrature
+from tests.oracles.definitions.forces import rod_coefficients
 from tests.oracles.definitions.points import DESIGNS, STEEP_DESIGNS, parameters_of
 from tests.oracles.kernels import Truncated, averages
 
@@ -39,36 +40,31 @@ def oscillator(case: dict) -> Oscillator:
 # ---- the model once more, from the force, by quadrature --------------------------------------------------------------
 
 
+cached_harmonic = cache(harmonic_by_quadrature)
+
+
 class Quadrature:
-    """h and the balance of forces by mpmath's quadrature of the piecewise force over the cycle."""
+    """The balance of forces by quadrature of the piecewise force over the cycle."""
 
-    def __init__(self, mechanism: str, parameters: dict) -> None:
-        p = {k: mpf(v.numerator) / v.denominator for k, v in ((k, Fraction(v)) for k, v in parameters.items())}
-        self.zeta, self.m = p["zeta"], 4 * p["mu"] / mp.pi
-        self.u_cr = None
-        if mechanism == "duffing":
-            self.coefficients = (p["alpha"], p["beta"], mpf(0))
-        else:
-            left, stiffness = 1 - p["delta_h"], p["lam"] * p["r"]
-            self.u_cr = mp.sqrt(1 - left**2)
-            exact = mp.taylor(lambda u: u + stiffness * (left / mp.sqrt(1 - u * u) - 1) * u, 0, 5)
-            self.coefficients = tuple(exact[1::2])
+    def __init__(self, case: dict) -> None:
+        exact = {k: Fraction(value(v)) for k, v in case["parameters"].items()}
+        p = {k: mpf(v.numerator) / v.denominator for k, v in exact.items()}
+        self.zeta, self.m, self.name = p.pop("zeta"), 4 * p.pop("mu") / mp.pi, case["mechanism"]
+        self.coefficients = rod_coefficients(**p) if self.name == "rod_spring" else [*p.values()]
+        self.u_cr = self.coefficients[3] if self.name == "rod_spring" else None
 
-    def attached(self, u: mpf) -> mpf:
-        a, b, c = self.coefficients
-        return a * u + b * u**3 + c * u**5
-
-    def h(self, A: mpf) -> mpf:
-        """-(4/pi) times the quarter cycle, split where the springs come back to the rod."""
-        split = mp.acos(self.u_cr / A) if self.u_cr is not None and A > self.u_cr else mpf(0)
-        total = mp.quad(lambda x: self.attached(A * mp.cos(x)) * mp.cos(x), [split, mp.pi / 2])
-        if split:
-            total += mp.quad(lambda x: A * mp.cos(x) ** 2, [0, split])
-        return -4 * total / mp.pi
-
-    def F(self, Omega: mpf, A: mpf, F_0: mpf) -> mpf:
-        R, damping = A * Omega**2 + self.h(A), 2 * self.zeta * A * Omega + self.m
-        return R**2 + damping**2 - F_0**2
+    def F(self, Omega: mpf, A: mpf, F_0: mpf) -> tuple[mpf, mpf, mpf]:
+        """F, F_A and F_AA."""
+        passed = int(self.u_cr is not None and A > self.u_cr)
+        h, h_A, h_AA, _ = cached_harmonic(self.name, 1, passed, A, *self.coefficients)
+        # of the force less u
+        R, R_A, I, I_A = (
+            A * Omega**2 + h - A,
+            Omega**2 + h_A - 1,
+            self.m + 2 * self.zeta * A * Omega,
+            2 * self.zeta * Omega,
+        )
+        return R**2 + I**2 - F_0**2, 2 * (R * R_A + I * I_A), 2 * (R_A**2 + R * h_AA + I_A**2)
 
 
 FORCES = {
@@ -158,36 +154,27 @@ def some_folds() -> list[tuple]:
 @pytest.mark.slow
 @pytest.mark.parametrize(("name", "index", "forcing"), some_folds())
 def test_recorded_folds_satisfy_the_system_by_quadrature(name: str, index: int, forcing: int) -> None:
-    """F and F_A with h from quadrature of the force, F_A by differences of F: what is left is rounding at 40 digits."""
+    """F and F_A with h from quadrature of the force: what is left is rounding at 40 digits."""
     case = cases(name)[index]
-    record = case["forcings"][forcing]
-    parameters = {k: value(v) for k, v in case["parameters"].items()}
-    model = oscillator(case)
+    record, model = case["forcings"][forcing], oscillator(case)
     with mp.workdps(75), precision(BITS):
-        reference = Quadrature(case["mechanism"], parameters)
-        F_0 = Fraction(value(record["F_0"]))
-        F_0 = mpf(F_0.numerator) / F_0.denominator
+        reference, F_0 = Quadrature(case), mpf(ratio(record["F_0"])[0]) / ratio(record["F_0"])[1]
         for fold in record["folds"]:
             Omega, A = mpf(fold["Omega"]), mpf(fold["A"])
             d = model.derivatives(arb(fold["Omega"]), arb(fold["A"]), fold["regime"], arb(mp.nstr(F_0, 60)))
             rounding = mpf(10) ** -39
             size = {k: abs(mpf(d[k].mid().str(20, radius=False))) for k in ("A", "O", "AA", "AO")}
             if fold["corner"]:
+                assert abs(reference.u_cr - A) <= rounding * A
                 A = reference.u_cr
-                assert abs(A - mpf(fold["A"])) <= rounding * A
-                below, above = mpf(10) ** -30, mpf(10) ** -12
-                at = reference.F(Omega, A, F_0)
-                slopes = [(at - reference.F(Omega, A - below, F_0)), (reference.F(Omega, A + above, F_0) - at)]
+                slopes = [reference.F(Omega, at, F_0)[1] for at in (A, A * (1 + mpf(10) ** -12))]
                 assert [mp.sign(s) for s in slopes] == ([1, -1] if fold["kind"] == "jump-up" else [-1, 1])
-                assert abs(at) <= size["O"] * Omega * rounding
+                assert abs(reference.F(Omega, A, F_0)[0]) <= size["O"] * Omega * rounding
                 continue
-            step = mpf(10) ** -24 * (abs(A - reference.u_cr) if reference.u_cr else A)
-            up, down = reference.F(Omega, A + step, F_0), reference.F(Omega, A - step, F_0)
-            at = reference.F(Omega, A, F_0)
-            assert abs(at) <= size["O"] * Omega * rounding + mpf(10) ** -60
-            curvature = size["AA"] * A + size["AO"] * Omega
-            assert abs((up - down) / (2 * step)) <= curvature * rounding + mpf(10) ** -42 * curvature
-            assert (up + down < 2 * at) == (fold["kind"] == "jump-up")
+            F, F_A, F_AA = reference.F(Omega, A, F_0)
+            assert abs(F) <= size["O"] * Omega * rounding + mpf(10) ** -60
+            assert abs(F_A) <= (size["AA"] * A + size["AO"] * Omega) * rounding
+            assert (F_AA < 0) == (fold["kind"] == "jump-up")
 
 
 @pytest.mark.parametrize("name", FILES)
@@ -302,13 +289,11 @@ def test_components_by_contours(name: str, index: int, forcing: int) -> None:
 def test_detachment_is_the_least_forcing_at_u_cr() -> None:
     for case in cases("random_isolators")[::10]:
         with mp.workdps(50):
-            reference = Quadrature(case["mechanism"], {k: value(v) for k, v in case["parameters"].items()})
-            h, A = reference.h(reference.u_cr), reference.u_cr
-            found = case["detachment"]
+            reference, found = Quadrature(case), case["detachment"]
             Omega = mpf(found["Omega_cr"])
 
-            def forcing(x: mpf, A: mpf = A, h: mpf = h, reference: Quadrature = reference) -> mpf:
-                return mp.hypot(A * x**2 + h, 2 * reference.zeta * A * x + reference.m)
+            def forcing(x: mpf, reference: Quadrature = reference) -> mpf:
+                return mp.sqrt(reference.F(x, reference.u_cr, mpf(0))[0])
 
             assert abs(forcing(Omega) / mpf(found["F_cr"]) - 1) < mpf(10) ** -38
             assert abs(mp.diff(forcing, Omega)) < mpf(10) ** -35

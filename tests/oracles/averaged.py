@@ -166,9 +166,8 @@ class Response:
 
 
 class Oscillator:
-    """Averaged oscillator with h(A) given piecewise; parameters by name as exact rationals."""
+    """Averaged oscillator with h(A) given piecewise; parameters by name as exact rationals, mu, zeta, eta, c_2 too."""
 
-    inputs: tuple[str, ...]
     #: whether friction acts on the attached piece only
     ends_at_u_cr = False
 
@@ -555,6 +554,9 @@ class Oscillator:
                     points.append(Point(*self._krawczyk(Omega, A, system), regime))
         return points
 
+    def ask(self, F_0: Number, frequencies: Sequence[Number]) -> None:
+        """Told of questions to come by those that have to find a range for them first."""
+
     # ---- what is asked ----------------------------------------------------------------------------------------------
 
     def folds(self, F_0: Number) -> list[Point]:
@@ -866,9 +868,7 @@ class Oscillator:
 
 
 class RodSpring(Oscillator):
-    """The isolator with the fifth-order force: lam, r, delta_h, mu, zeta."""
-
-    inputs = ("lam", "r", "delta_h", "mu", "zeta")
+    """The isolator with the fifth-order force: lam, r, delta_h and damping."""
 
     def _stiffness(self) -> tuple[fmpq, fmpq, fmpq]:
         p = self.parameters
@@ -884,9 +884,7 @@ class RodSpring(Oscillator):
 
 
 class Duffing(Oscillator):
-    """f(u) = alpha u + beta u^3 with friction and viscous damping: alpha, beta, mu, zeta."""
-
-    inputs = ("alpha", "beta", "mu", "zeta")
+    """f(u) = alpha u + beta u^3: alpha, beta and damping."""
 
     def _stiffness(self) -> tuple[fmpq, fmpq, fmpq]:
         return self.parameters["alpha"], self.parameters["beta"], fmpq(0)

@@ -29,7 +29,7 @@ class Condition:
 def perturbed(oscillator: Oscillator) -> list[Oscillator]:
     """The oscillator with each nonzero parameter in turn larger by the relative amount STEP."""
     p = oscillator.parameters
-    return [type(oscillator)(**{**p, name: p[name] * (1 + STEP)}) for name in oscillator.inputs if p[name] != 0]
+    return [type(oscillator)(**{**p, name: p[name] * (1 + STEP)}) for name in p if p[name] != 0]
 
 
 class Conditioning:

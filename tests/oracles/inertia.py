@@ -35,8 +35,6 @@ EACH = 20
 class ByInertia(Oscillator):
     """In place of a force F_0 one of F_0 Omega^2; to be mixed into a kind of oscillator."""
 
-    plain: type[Oscillator]
-
     def derivatives(self, Omega: arb, A: arb, regime: str, F_0: arb) -> dict[str, arb]:
         d = super().derivatives(Omega, A, regime, arb(0))
         square = Omega * Omega
@@ -58,7 +56,11 @@ class ByInertia(Oscillator):
 
     def amplitudes(self, Omega: Number, F_0: Number) -> list[Amplitude]:
         force = Fraction(F_0) * Fraction(Omega) ** 2
-        return [] if not arb(exact(force)) > self.m else self.plain(**self.parameters).amplitudes(Omega, force)
+        if not arb(exact(force)) > self.m:
+            return []
+        other = type(self).__bases__[1](**self.parameters)  # what this is mixed into
+        other.ask(force, [Omega])
+        return other.amplitudes(Omega, force)
 
     @cached_property
     def cusps(self) -> list[Point]:
@@ -72,16 +74,9 @@ class ByInertia(Oscillator):
             return sorted(points, key=lambda p: p.F_0.mid())
 
 
-class ShakenRod(ByInertia, RodSpring):
-    """The isolator."""
-
-    plain = RodSpring
-
-
-class ShakenDuffing(ByInertia, Duffing):
-    """One cubic piece."""
-
-    plain = Duffing
+def shaken(kind: type[Oscillator]) -> type[Oscillator]:
+    """That kind of oscillator on a base that shakes."""
+    return type(kind.__name__, (ByInertia, kind), {})
 
 
 def case(mechanism: str, index: int) -> dict:
@@ -89,7 +84,7 @@ def case(mechanism: str, index: int) -> dict:
     rng = random.Random(f"{SEED} inertia {mechanism} {index}")
     is_rod = mechanism == "rod_spring"
     parameters = draw_isolator(rng, lambda: rng.uniform(0.02, 0.97)) if is_rod else draw_duffing(rng, index)
-    oscillator = ShakenRod(**parameters) if is_rod else ShakenDuffing(**parameters)
+    oscillator = shaken(RodSpring if is_rod else Duffing)(**parameters)
     cusps = oscillator.cusps
     F_0 = log_uniform(rng, 0.3, 3) * (float(cusps[0].F_0.mid()) if cusps else 0.05)
     if is_rod:

@@ -228,8 +228,6 @@ class Curved(Parametrized):
 class Exponential(Curved):
     """k u + q (exp(u/d) - 1)."""
 
-    inputs = ("k", "q", "d", "load", "mu", "zeta")
-
     @property
     def least_slope(self) -> arb:
         return self._p("k")
@@ -243,8 +241,6 @@ class Exponential(Curved):
 
 class Hyperbolic(Curved):
     """k u + q sinh(u/d)."""
-
-    inputs = Exponential.inputs
 
     @property
     def least_slope(self) -> arb:

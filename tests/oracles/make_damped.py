@@ -12,7 +12,7 @@ import random
 from tests.oracles.averaged import BITS, Duffing, RodSpring
 from tests.oracles.certified_roots import precision
 from tests.oracles.conditioning import Conditioning
-from tests.oracles.inertia import ByInertia
+from tests.oracles.inertia import shaken
 from tests.oracles.make_random_isolators import (
     SEED,
     answered,
@@ -30,40 +30,10 @@ EACH = 30
 SHAKEN = 40
 
 
-class DampedRod(RodSpring):
-    """The isolator."""
-
-    inputs = (*RodSpring.inputs, "eta", "c_2")
-
-
-class ReleasedRod(DampedRod):
+class ReleasedRod(RodSpring):
     """The isolator whose bearings rub while the rods are attached."""
 
     ends_at_u_cr = True
-
-
-class DampedDuffing(Duffing):
-    """One cubic piece."""
-
-    inputs = (*Duffing.inputs, "eta", "c_2")
-
-
-class ShakenRod(ByInertia, DampedRod):
-    """The isolator."""
-
-    plain = DampedRod
-
-
-class ShakenReleased(ByInertia, ReleasedRod):
-    """The isolator whose bearings rub while the rods are attached."""
-
-    plain = ReleasedRod
-
-
-class ShakenDuffing(ByInertia, DampedDuffing):
-    """One cubic piece."""
-
-    plain = DampedDuffing
 
 
 def drawn(law: str, index: int, rod: bool, bare: bool, rng: random.Random) -> dict[str, float]:
@@ -86,7 +56,7 @@ def case(law: str, index: int) -> dict:
     rng = random.Random(f"{SEED} damped {law} {index}")
     rod = law == "contact" or index % 2 == 0
     parameters = drawn(law, index // 2, rod, index % 3 == 0, rng)
-    oscillator = (ReleasedRod if law == "contact" else DampedRod if rod else DampedDuffing)(**parameters)
+    oscillator = (ReleasedRod if law == "contact" else RodSpring if rod else Duffing)(**parameters)
     onset = oscillator.onset()
     m = float(oscillator.m.mid())
     if onset is None:
@@ -113,14 +83,14 @@ def case(law: str, index: int) -> dict:
     }
 
 
-def shaken(index: int) -> dict:
+def shaken_case(index: int) -> dict:
     """Oscillator number `index` of the four combinations in turn, on a base that shakes."""
     rng = random.Random(f"{SEED} damped base {index}")
     law = ("eta", "c_2", "both", "contact")[index % 4]
     rod = law == "contact" or index // 4 % 2 == 0
     parameters = drawn(law, index // 4, rod, index // 4 % 3 == 0, rng)
-    kind = ShakenReleased if law == "contact" else ShakenRod if rod else ShakenDuffing
-    oscillator = kind(**parameters)
+    kind = ReleasedRod if law == "contact" else RodSpring if rod else Duffing
+    oscillator = shaken(kind)(**parameters)
     with precision(BITS):
         levels = [float(oscillator.forcing(p.Omega, p.A, p.regime).mid()) for p in oscillator._cusps()]
     F_0 = log_uniform(rng, 0.6, 3) * min(levels, default=0.05)
@@ -141,4 +111,4 @@ def shaken(index: int) -> dict:
 if __name__ == "__main__":
     for law in LAWS:
         write(f"damped_{law}", [case(law, index) for index in range(EACH)])
-    write("damped_base", [shaken(index) for index in range(SHAKEN)])
+    write("damped_base", [shaken_case(index) for index in range(SHAKEN)])

@@ -12,16 +12,15 @@ the forces on a base are those whose slope has a bound.
 from __future__ import annotations
 
 import random
-from fractions import Fraction
 from typing import Any
 
 from flint import arb
 
-from tests.oracles.averaged import BITS, Amplitude, Number, digits, exact
+from tests.oracles.averaged import BITS, digits, exact
 from tests.oracles.certified_roots import precision
 from tests.oracles.inertia import ByInertia
 from tests.oracles.make_random_isolators import SEED, answered, encoded, log_uniform, write
-from tests.oracles.make_sided import Even, Parametrized, Stop, drawn
+from tests.oracles.make_sided import Parametrized, Stop, drawn
 
 #: excitation, laws, force, and how many of these
 COUNTS = (
@@ -38,22 +37,8 @@ COUNTS = (
 )
 
 
-class LawfulStop(Stop):
-    """A stop on one side, or two springs."""
-
-    inputs = (*Stop.inputs, "eta", "c_2")
-
-
-class LawfulEven(Even):
-    """A polynomial with an even power."""
-
-    inputs = (*Even.inputs, "eta", "c_2")
-
-
-class ShakenStop(ByInertia, LawfulStop):
-    """The first of them on a base that shakes."""
-
-    plain = LawfulStop
+class ShakenStop(ByInertia, Stop):
+    """A stop on one side, or two springs, on a base that shakes."""
 
     def ask(self, F_0: float, frequencies: list[float]) -> None:
         with precision(BITS):
@@ -62,14 +47,6 @@ class ShakenStop(ByInertia, LawfulStop):
             self.high = forcing * steepest.sqrt() / (2 * arb(self.zeta)) * arb("1.001")
             self.end = None if self.high < self.edge else arb(self.place(self.high).mid())
 
-    def amplitudes(self, Omega: Number, F_0: Number) -> list[Amplitude]:
-        force = Fraction(F_0) * Fraction(Omega) ** 2
-        if not arb(exact(force)) > self.m:
-            return []
-        other = self.plain(**self.parameters)
-        other.ask(force, [Omega])
-        return other.amplitudes(Omega, force)
-
 
 def case(excitation: str, laws: tuple[str, ...], force: str, index: int) -> dict:
     """One oscillator: its folds and states at one forcing."""
@@ -77,7 +54,7 @@ def case(excitation: str, laws: tuple[str, ...], force: str, index: int) -> dict
     user, of, sign = drawn(force, rng, index)
     damping = {"eta": log_uniform(rng, 0.005, 0.08), "c_2": log_uniform(rng, 0.02, 0.6)}
     damping = {name: value if name in laws else 0.0 for name, value in damping.items()}
-    kind = ShakenStop if excitation == "base" else LawfulEven if force == "even" else LawfulStop
+    kind = ShakenStop if excitation == "base" else type(of)
     oscillator: Parametrized = kind(**of.parameters, **damping)
     base = float(oscillator.least_slope.sqrt().mid())
     size = float(oscillator.edge.mid()) if oscillator.edge is not None else 0.4

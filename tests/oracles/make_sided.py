@@ -147,8 +147,6 @@ class Parametrized(Stated):
 class Stop(Parametrized):
     """a u + k (u - g)_+ under a load, of a mass that rests free of the stop: a g > load."""
 
-    inputs = ("a", "k", "g", "load", "mu", "zeta")
-
     @property
     def least_slope(self) -> arb:
         a, k = self._p("a"), self._p("k")
@@ -198,8 +196,6 @@ class Stop(Parametrized):
 
 class Even(Parametrized):
     """u + a u^2 + b u^3 with 0 < a^2 < 3 b."""
-
-    inputs = ("a", "b", "mu", "zeta")
 
     @property
     def least_slope(self) -> arb:

@@ -449,12 +449,6 @@ class Stated(Oscillator):
         return []
 
 
-def mechanism(name: str, force: Force, kind: type[Stated]) -> type[Stated]:
-    """The oscillators under one of the forces."""
-    names = tuple(force.draw(random.Random(0)))
-    return type(name, (kind,), {"force_": force, "inputs": (*names, "mu", "zeta")})
-
-
 def case(name: str, force: Force, index: int, kind: type[Stated] = Stated) -> dict:
     """One oscillator: its onset, and its folds and states at one forcing."""
     rng = random.Random(f"{SEED} stated {name} {index}")
@@ -463,7 +457,7 @@ def case(name: str, force: Force, index: int, kind: type[Stated] = Stated) -> di
         "mu": 0.0 if index % EACH == EACH - 1 else rng.uniform(0.001, 0.02),
         "zeta": log_uniform(rng, 0.02, 0.06),
     }
-    oscillator = mechanism(name, force, kind)(**parameters)
+    oscillator = type(name, (kind,), {"force_": force})(**parameters)
     onset = None
     m = float(oscillator.m.mid())
     F_0 = m + log_uniform(rng, 0.03, 0.2)
