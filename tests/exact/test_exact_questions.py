@@ -15,7 +15,6 @@ from slowflow.exact import EquationOfMotion, linear
 from slowflow.exact.motion import limited
 from slowflow.example import isolator
 from slowflow.support.errors import NotSettled
-from slowflow_kernels import duffing as duffing_kernels
 from tests.oracles import by_time
 from tests.sampling import slow
 
@@ -108,23 +107,6 @@ def test_force_is_the_averaged_one_or_the_one_requested():
     untruncated = isolator().steady_state(Omega=0.95, F_0=0.04, A=0.5, force="untruncated").A
     assert isolator().steady_state(Omega=0.95, F_0=0.04, A=0.5).A == truncated
     assert 1e-4 < abs(untruncated / truncated - 1) < 1e-2
-
-
-def test_a_linear_oscillator_is_the_same_from_both_classes():
-    one = isolator(delta_h=0).steady_state(Omega=0.8, F_0=0.04)
-    other = Duffing(1.0, 0.0, 0.012, 0.02).steady_state(Omega=0.8, F_0=0.04)
-    assert one.A == pytest.approx(other.A, rel=1e-12)
-
-
-def test_the_duffing_force_is_the_derived_one():
-    u = np.linspace(-2, 2, 41)
-    force = Duffing(-0.3, 0.7).restoring_force()
-    assert np.array([force.value(x) for x in u]) == pytest.approx(duffing_kernels.force(u, -0.3, 0.7), rel=1e-15)
-
-
-def test_u_cr_of_the_untruncated_force_is_the_derived_one():
-    force = isolator().restoring_force("untruncated")
-    assert force.breakpoints == (isolator().u_cr,)
 
 
 def test_a_curve_may_start_anywhere_on_it():
@@ -327,31 +309,6 @@ def test_a_chaotic_motion_is_called_so_with_its_exponent():
         Duffing(0.0, 1.0, zeta=0.025).steady_state(Omega=1.0, F_0=7.5)
     factor = float(re.search(r"by a factor of ([\d.]+) in each", str(refused.value)).group(1))
     assert np.log(factor) / (2 * np.pi) == pytest.approx(0.10, rel=0.25)  # of 30 turns only
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("threads", [2, 16])
-def test_threads_answer_as_one_thread_does(threads):
-    """Oscillators of their own and shared ones: the same digits as one after the other, and no crash."""
-    code = f"""
-from concurrent.futures import ThreadPoolExecutor
-from slowflow import Duffing, Isolator
-from slowflow.example import isolator
-table_1 = isolator()
-shared = [table_1.steady_state(Omega=.9, F_0=.04)] * 2
-def ask(i):
-    own = isolator(mu=.01 + .0005 * (i % 8))
-    own = own if i % 2 else Duffing(1.0, 0.5 + 0.1 * (i % 8), .012, .05)
-    found = own.steady_state(Omega=.6 + .05 * (i % 8), F_0=.04)
-    u = shared[i % 2].series(8)[1]
-    swept = own.sweep(Omega=[.6 + .05 * (i % 8), .7], F_0=.04)
-    return found.A, *found.multipliers, *u, *swept.A
-jobs = list(range(48))
-alone = [ask(i) for i in jobs]
-with ThreadPoolExecutor({threads}) as pool:
-    assert list(pool.map(ask, jobs)) == alone
-"""
-    subprocess.run([sys.executable, "-c", code], check=True, timeout=600)
 
 
 @pytest.mark.parametrize("ratio", [0.98, 0.99, 0.995, 0.999, 0.9999])

@@ -45,6 +45,8 @@ def answers(oscillator):
             oscillator.peak(0.04),
             oscillator.frequency_response(0.04, samples=60).A.tolist(),
             oscillator.second_approximation.saddle_nodes(0.04).Omega.tolist(),
+            oscillator.steady_state(Omega=0.9, F_0=0.04).series(8)[1].tolist(),
+            oscillator.sweep(Omega=[0.6, 0.7], F_0=0.04).A.tolist(),
         )
     )
 
