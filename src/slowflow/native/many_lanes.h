@@ -11,7 +11,7 @@
 enum {
     SF_LANE_BLOCK = 128, /* designs that go together */
     SF_LANE_ROUNDS = 12, /* of cuts */
-    SF_LANE_APPROACHES = 8,
+    SF_LANE_APPROACHES = 16, /* of zeros: some folds take more than 8, and by themselves much longer */
     SF_LANE_ZEROS = 8 /* of one design */
 };
 

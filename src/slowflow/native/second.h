@@ -260,18 +260,19 @@ static void sf_second_free(sf_second_curve *curve) {
     free(curve);
 }
 
-/* The frequency near the one given at which A is a steady state, and the last step to its logarithm. */
-static double sf_second_frequency(const sf_second *second, double A, double Omega, double *step) {
-    double known[SF_KNOWN];
-    sf_second_known(second->model, 1, &A, known);
-    *step = HUGE_VAL;
-    for (int k = 0; k < SF_STEPS && fabs(*step) > SF_DONE; k++) {
+/* Newton's method to a steady state from near by: in Omega at an amplitude, or in A at a frequency. Returns the last step
+ * to its logarithm. */
+static double sf_second_approach(const sf_second *second, int by_A, double *Omega, double *A) {
+    double *const x = by_A ? A : Omega, step = HUGE_VAL, known[SF_KNOWN];
+    for (int k = 0; k < SF_STEPS && fabs(step) > SF_DONE; k++) {
         sf_balance at;
-        sf_second_of(second, Omega, A, known, &at);
-        *step = sf_clipped(at.F / (at.F_Omega * Omega));
-        Omega *= sf_grown(-*step);
+        if (by_A || k == 0)
+            sf_second_known(second->model, 1, A, known);
+        sf_second_of(second, *Omega, *A, known, &at);
+        step = sf_clipped(at.F / ((by_A ? at.F_A : at.F_Omega) * *x));
+        *x *= sf_grown(-step);
     }
-    return Omega;
+    return step;
 }
 
 /* The amplitudes around a breakpoint at which the force jumps, by rising size over it: its fold has another close
@@ -291,7 +292,7 @@ static void sf_from_lane(int n, const double *Omega, const double *A, const doub
 }
 
 /* More points between two that lie on both sides of breakpoint b, where the force jumps: folds are close there. They
- * are sought as sf_second_frequency does, all at once. */
+ * are sought as sf_second_approach does, all at once. */
 static long sf_second_across(const sf_second *second, double b, const sf_second_point *from, const sf_second_point *to,
                              sf_second_point *out) {
     const int rising = to->A > b;

@@ -60,9 +60,9 @@ typedef struct {
 
 static double sf_Omega_between(const sf_second_between *between, double A) {
     const double ratio = (A - between->A[0]) / (between->A[1] - between->A[0]);
-    double step;
-    return sf_second_frequency(between->second, A, between->Omega[0] + ratio * (between->Omega[1] - between->Omega[0]),
-                               &step);
+    double Omega = between->Omega[0] + ratio * (between->Omega[1] - between->Omega[0]);
+    sf_second_approach(between->second, 0, &Omega, &A);
+    return Omega;
 }
 
 static double sf_slope_between(const void *inputs, double A) {
@@ -295,12 +295,8 @@ typedef struct {
 } sf_second_near;
 
 static double sf_amplitude_near(const sf_second_near *near, double Omega, double balance[3]) {
-    double A = near->A, step = HUGE_VAL;
-    for (int i = 0; i < SF_STEPS && fabs(step) > SF_DONE; i++) {
-        const sf_balance at = sf_second_at(near->second, Omega, A);
-        step = sf_clipped(at.F / (at.F_A * A));
-        A *= sf_grown(-step);
-    }
+    double A = near->A;
+    const double step = sf_second_approach(near->second, 1, &Omega, &A);
     sf_second_level(near->second->model, Omega, A, balance);
     return fabs(step) <= SF_DONE ? A : NAN;
 }

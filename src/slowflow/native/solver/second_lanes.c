@@ -5,38 +5,28 @@
 #include "second_approximation.h"
 #include "second_conventions.h"
 
-/* The loop of all; `phase` and `by_inertia` are known when it is compiled. */
-#define OVER_STATES(phase, by_inertia)                                                                                 \
-    const double *restrict h = known, *restrict h_A = known + n, *restrict h_AA = known + 2 * n;                       \
-    const double *restrict h_3 = known + 4 * n, *restrict h_3_A = known + 5 * n, *restrict h_3_AA = known + 6 * n;     \
-    const double *restrict h_5 = known + 8 * n, *restrict h_5_A = known + 9 * n, *restrict h_5_AA = known + 10 * n;    \
-    double *restrict u_max = out, *restrict A_1 = out + n, *restrict phi = out + 2 * n, *restrict R = out + 3 * n;     \
-    double *restrict F = out + 4 * n, *restrict F_A = out + 5 * n, *restrict F_Omega = out + 6 * n;                    \
-    double *restrict R_A = out + 7 * n, *restrict R_Omega = out + 8 * n;                                               \
-    SF_EACH(i, n) {                                                                                                    \
-        double values[SF_BALANCE];                                                                                     \
-        second_approximation_response(Omega[i], A[i], (by_inertia) ? inertia_force(Omega[i], F_0) : F_0, m, zeta, h[i], \
-                                      h_A[i], h_AA[i], h_3[i], h_3_A[i], h_3_AA[i], h_5[i], h_5_A[i], h_5_AA[i],       \
-                                      values);                                                                         \
-        u_max[i] = values[0], A_1[i] = values[1];                                                                      \
-        phi[i] = (phase) ? values[2] : NAN;                                                                            \
-        R[i] = values[3], F[i] = values[4], F_A[i] = values[5], R_A[i] = values[7];                                    \
-        F_Omega[i] = values[6] - ((by_inertia) ? sf_force_squared_slope(Omega[i], F_0) : 0);                           \
-        R_Omega[i] = values[8];                                                                                        \
+/* phases: known when it is compiled */
+SF_ALWAYS void balances(ptrdiff_t n, const double *Omega, const double *A, double F_0, int inertial, int phases, double m,
+                        double zeta, const double *known, double *out)
+{
+    SF_EACH(i, n) {
+        const double *const k = known + i;
+        double values[SF_BALANCE];
+        second_approximation_response(Omega[i], A[i], inertial ? inertia_force(Omega[i], F_0) : F_0, m, zeta, k[0], k[n],
+                                      k[2 * n], k[4 * n], k[5 * n], k[6 * n], k[8 * n], k[9 * n], k[10 * n], values);
+        values[6] -= inertial ? sf_force_squared_slope(Omega[i], F_0) : 0;
+        for (int row = 0; row < SF_BALANCE; row++)
+            out[row * n + i] = row == 2 && !phases ? NAN : values[row];
     }
+}
 
 SF_WIDE void sf_second_balances(ptrdiff_t n, const double *Omega, const double *A, double F_0, int inertial, int phases,
                                 double m, double zeta, const double *known, double *out)
 {
-    if (inertial && phases) {
-        OVER_STATES(1, 1);
-    } else if (inertial) {
-        OVER_STATES(0, 1);
-    } else if (phases) {
-        OVER_STATES(1, 0);
-    } else {
-        OVER_STATES(0, 0);
-    }
+    if (phases)
+        balances(n, Omega, A, F_0, inertial, 1, m, zeta, known, out);
+    else
+        balances(n, Omega, A, F_0, inertial, 0, m, zeta, known, out);
 }
 
 static inline double larger(double a, double b)
