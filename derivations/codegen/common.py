@@ -34,7 +34,7 @@ class _Branch:
 
     named  -- what the derivation has a name for
     values -- of each let, as printed, where the name of another let is the number of its value
-    lets   -- by their values, those that named ones are computed from, and from no call of anything else
+    lets   -- by their values, those that named ones are computed from
     """
 
     kernel: str
@@ -55,7 +55,7 @@ def with_calls(
     """The programs of these kernels with calls of what they have in common, as long as that saves lines."""
     kernels = tuple(kernels)
     every = [
-        _Branch(kernel.name, branch.name, program, {symbol for symbol, _ in branch.lets})
+        _Branch(kernel.name, branch.name, _calling_by_one_name(program), {symbol for symbol, _ in branch.lets})
         for kernel in kernels
         for branch, program in zip(kernel.branches, code[kernel.name], strict=True)
     ]
@@ -71,18 +71,27 @@ def with_calls(
     return {kernel.name: tuple(next(programs).program for _ in kernel.branches) for kernel in kernels}
 
 
+def _calling_by_one_name(program: Program) -> Program:
+    """Calls take a quantity by its first name, where several have the same value."""
+    first: dict[sp.Expr, sp.Symbol] = {}
+    name = {symbol: first.setdefault(value, symbol) for symbol, value in program.lets}
+    lets = [
+        (symbol, value.func(*(name.get(one, one) for one in value.args)) if isinstance(value, Output) else value)
+        for symbol, value in program.lets
+    ]
+    read = set().union(*(output.free_symbols for output in program.outputs))
+    return replace(program, lets=tuple(_leading_to(lets, read)))
+
+
 def _evaluate(one: _Branch, numbers: dict[str, str], printer: Rules) -> None:
     """What each of its lets is; the numbers are those of all branches."""
     one.values, one.lets = {}, {}
-    apart: set[sp.Symbol] = set()
     for symbol, value in one.program.lets:
         called = value.repeated if isinstance(value, Output) else None
         text = f"{type(value)} {value.args}" if called else printer.doprint(value)
         whole = _NAME.sub(lambda found: one.values.get(found[0], found[0]), text)
         one.values[symbol.name] = numbers.setdefault(whole, f"value^{len(numbers)}")
-        if (called and not called.straight) or not apart.isdisjoint(value.free_symbols):
-            apart.add(symbol)
-        elif not called:
+        if not (called and called.straight):
             one.lets[whole] = symbol
     kept = {symbol for symbol, _ in _leading_to(one.program.lets, one.named & {*one.lets.values()})}
     one.lets = {value: symbol for value, symbol in one.lets.items() if symbol in kept}

@@ -151,66 +151,6 @@ SF_COMMON void rod_spring_untruncated_arc_node(double X2, double K2, double T2, 
     *W = K2 * g3;
 }
 
-/* What averaged_all_passed_1_steep_far, averaged_all_passed_1_steep_away have in common. */
-SF_COMMON void rod_spring_untruncated_common_1(double A, double delta_h, double *u_cr_out, double *c_out,
-    double *root_out, double *x2_out, double *third_out, double *lam0_1_out, double *lam0_2_out, double *lam0_3_out,
-    double *term0_0_out, double *term01_0_out, double *term02_0_out, double *term03_0_out, double *X0_0_out,
-    double *X0_1_out, double *Z0_2_out, double *Z0_3_out, double *Y0_0_out, double *Z0_1_out, double *Z0_0_out)
-{
-    const double u_cr = sqrt(-delta_h * delta_h + 2.0 * delta_h);
-    const double c = 1.0 - delta_h;
-    const double c2 = c * c;
-    const double lacking = c2 - (1.0 - u_cr) * (u_cr + 1.0);
-    const double half = 0.5 * (A - u_cr) * (A + u_cr);
-    const double root = sqrt(2.0 * half - 0.5 * fabs(half - lacking) + 0.5 * fabs(half + lacking));
-    const double A2 = A * A;
-    const double x2 = u_cr * u_cr / A2;
-    const double y2 = root * root / A2;
-    const double third = 0.33333333333333331 * u_cr * x2 / A;
-    const double a0_0 = sqrt(y2);
-    const double a0_half_0 = 0.5 / a0_0;
-    const double a0_half_0_2 = a0_half_0 * a0_half_0;
-    const double a0_half_0_3 = a0_half_0 * a0_half_0_2;
-    const double a02_0 = -a0_half_0_3;
-    const double a03_0 = -2.0 * a02_0 * a0_half_0_2;
-    const double b0_0 = sqrt(c2);
-    const double lam0_0 = a0_0 * b0_0 + a0_0 + b0_0;
-    const double lam0_1 = a0_half_0 * b0_0 + a0_half_0;
-    const double lam0_2 = a02_0 * b0_0 + a02_0;
-    const double lam0_3 = a03_0 * b0_0 + a03_0;
-    const double q0_0 = lam0_0 + 1.0;
-    const double term0_0 = 1.0 / q0_0;
-    const double term01_0 = -lam0_1 * term0_0 * term0_0;
-    const double term02_0 = -term0_0 * (lam0_1 * term01_0 + lam0_2 * term0_0);
-    const double term03_0 = -term0_0 * (lam0_1 * term02_0 + lam0_2 * term01_0 + lam0_3 * term0_0);
-    const double X0_0 = 0.25 * lam0_0 + 0.25 * y2;
-    const double X0_1 = 0.25 * lam0_1 + 0.25;
-    const double Y0_0 = 0.25 * c2 + 0.25 * lam0_0;
-    const double Z0_0 = 0.25 * lam0_0 + 0.25;
-    const double Z0_1 = 0.25 * lam0_1;
-    const double Z0_2 = 0.25 * lam0_2;
-    const double Z0_3 = 0.25 * lam0_3;
-    *u_cr_out = u_cr;
-    *c_out = c;
-    *root_out = root;
-    *x2_out = x2;
-    *third_out = third;
-    *lam0_1_out = lam0_1;
-    *lam0_2_out = lam0_2;
-    *lam0_3_out = lam0_3;
-    *term0_0_out = term0_0;
-    *term01_0_out = term01_0;
-    *term02_0_out = term02_0;
-    *term03_0_out = term03_0;
-    *X0_0_out = X0_0;
-    *X0_1_out = X0_1;
-    *Z0_2_out = Z0_2;
-    *Z0_3_out = Z0_3;
-    *Y0_0_out = Y0_0;
-    *Z0_1_out = Z0_1;
-    *Z0_0_out = Z0_0;
-}
-
 /* One duplication of the arguments of R_D, and what it takes off over 3, as Taylor series. */
 SF_COMMON void rod_spring_untruncated_duplication(double x_0, double x_1, double x_2, double x_3, double y_0,
     double y_1, double y_2, double y_3, double z_0, double z_1, double z_2, double z_3, double *next_X_0,
@@ -408,6 +348,61 @@ SF_COMMON void rod_spring_untruncated_duplications(double X0_0, double X0_1, dou
         0.01171875 * term4_2 + 0.0029296875 * term5_2;
     *R_3 = 0.000244140625 * last_3 + 3.0 * term0_3 + 0.75 * term1_3 + 0.1875 * term2_3 + 0.046875 * term3_3 +
         0.01171875 * term4_3 + 0.0029296875 * term5_3;
+}
+
+/* What averaged_all_passed_1_steep_far, averaged_all_passed_1_steep_away have in common. */
+SF_COMMON void rod_spring_untruncated_common_1(double A, double delta_h, double *u_cr_out, double *c_out,
+    double *root_out, double *V2_out, double *V4_out, double *V6_out, double *V8_out)
+{
+    const double u_cr = sqrt(-delta_h * delta_h + 2.0 * delta_h);
+    const double c = 1.0 - delta_h;
+    const double c2 = c * c;
+    const double lacking = c2 - (1.0 - u_cr) * (u_cr + 1.0);
+    const double half = 0.5 * (A - u_cr) * (A + u_cr);
+    const double root = sqrt(2.0 * half - 0.5 * fabs(half - lacking) + 0.5 * fabs(half + lacking));
+    const double A2 = A * A;
+    const double x2 = u_cr * u_cr / A2;
+    const double y2 = root * root / A2;
+    const double third = 0.33333333333333331 * u_cr * x2 / A;
+    const double a0_0 = sqrt(y2);
+    const double a0_half_0 = 0.5 / a0_0;
+    const double a0_half_0_2 = a0_half_0 * a0_half_0;
+    const double a0_half_0_3 = a0_half_0 * a0_half_0_2;
+    const double a02_0 = -a0_half_0_3;
+    const double a03_0 = -2.0 * a02_0 * a0_half_0_2;
+    const double b0_0 = sqrt(c2);
+    const double lam0_0 = a0_0 * b0_0 + a0_0 + b0_0;
+    const double lam0_1 = a0_half_0 * b0_0 + a0_half_0;
+    const double lam0_2 = a02_0 * b0_0 + a02_0;
+    const double lam0_3 = a03_0 * b0_0 + a03_0;
+    const double q0_0 = lam0_0 + 1.0;
+    const double term0_0 = 1.0 / q0_0;
+    const double term01_0 = -lam0_1 * term0_0 * term0_0;
+    const double term02_0 = -term0_0 * (lam0_1 * term01_0 + lam0_2 * term0_0);
+    const double term03_0 = -term0_0 * (lam0_1 * term02_0 + lam0_2 * term01_0 + lam0_3 * term0_0);
+    const double X0_0 = 0.25 * lam0_0 + 0.25 * y2;
+    const double X0_1 = 0.25 * lam0_1 + 0.25;
+    const double X0_2 = 0.25 * lam0_2;
+    const double X0_3 = 0.25 * lam0_3;
+    const double Y0_0 = 0.25 * c2 + 0.25 * lam0_0;
+    const double Y0_1 = 0.25 * lam0_1;
+    const double Z0_0 = 0.25 * lam0_0 + 0.25;
+    double R_0, R_1, R_2, R_3;
+    rod_spring_untruncated_duplications(X0_0, X0_1, X0_2, X0_3, Y0_0, Y0_1, X0_2, X0_3, Z0_0, Y0_1, X0_2, X0_3,
+        term0_0, term01_0, term02_0, term03_0, &R_0, &R_1, &R_2, &R_3);
+    const double V2 = R_0 * third;
+    const double V4 = -2.0 * R_1 * third * x2;
+    const double x2_2 = x2 * x2;
+    const double V6 = 2.6666666666666665 * R_2 * third * x2_2;
+    const double x2_3 = x2 * x2_2;
+    const double V8 = -3.2000000000000002 * R_3 * third * x2_3;
+    *u_cr_out = u_cr;
+    *c_out = c;
+    *root_out = root;
+    *V2_out = V2;
+    *V4_out = V4;
+    *V6_out = V6;
+    *V8_out = V8;
 }
 
 /* Terms of int sin^2 tan^(2n) (1/c - 1/Delta) at a node, by n. */
@@ -897,27 +892,11 @@ SF_KERNEL void rod_spring_untruncated_averaged_all_passed_1_steeper(double A, co
 SF_KERNEL void rod_spring_untruncated_averaged_all_passed_1_steep_far(double A, const double *p, double *out)
 {
     const double beta = p[1], delta_h = p[2];
-    double u_cr, c, root, x2, third, lam0_1, lam0_2, lam0_3, term0_0, term01_0, term02_0, term03_0, X0_0, X0_1,
-        Z0_2, Z0_3, Y0_0, Z0_1, Z0_0;
-    rod_spring_untruncated_common_1(A, delta_h, &u_cr, &c, &root, &x2, &third, &lam0_1, &lam0_2, &lam0_3, &term0_0,
-        &term01_0, &term02_0, &term03_0, &X0_0, &X0_1, &Z0_2, &Z0_3, &Y0_0, &Z0_1, &Z0_0);
+    double u_cr, c, root, V2, V4, V6, V8;
+    rod_spring_untruncated_common_1(A, delta_h, &u_cr, &c, &root, &V2, &V4, &V6, &V8);
     const double T = u_cr / (A + root);
     const double t0 = T * T;
     const double A2 = A * A;
-    const double X0_2 = 0.25 * lam0_2;
-    const double X0_3 = 0.25 * lam0_3;
-    const double Y0_1 = 0.25 * lam0_1;
-    const double Y0_2 = 0.25 * lam0_2;
-    const double Y0_3 = 0.25 * lam0_3;
-    double R_0, R_1, R_2, R_3;
-    rod_spring_untruncated_duplications(X0_0, X0_1, X0_2, X0_3, Y0_0, Y0_1, Y0_2, Y0_3, Z0_0, Z0_1, Z0_2, Z0_3,
-        term0_0, term01_0, term02_0, term03_0, &R_0, &R_1, &R_2, &R_3);
-    const double V2 = R_0 * third;
-    const double V4 = -2.0 * R_1 * third * x2;
-    const double x2_2 = x2 * x2;
-    const double V6 = 2.6666666666666665 * R_2 * third * x2_2;
-    const double x2_3 = x2 * x2_2;
-    const double V8 = -3.2000000000000002 * R_3 * third * x2_3;
     double sum_0 = 0.0, sum_1 = 0.0, sum_2 = 0.0, sum_3 = 0.0;
     SF_UNROLLED
     for (int k = 0; k < 15; k++) {
@@ -945,25 +924,9 @@ SF_KERNEL void rod_spring_untruncated_averaged_all_passed_1_steep_far(double A, 
 SF_KERNEL void rod_spring_untruncated_averaged_all_passed_1_steep_away(double A, const double *p, double *out)
 {
     const double beta = p[1], delta_h = p[2];
-    double u_cr, c, root, x2, third, lam0_1, lam0_2, lam0_3, term0_0, term01_0, term02_0, term03_0, X0_0, X0_1,
-        Z0_2, Z0_3, Y0_0, Z0_1, Z0_0;
-    rod_spring_untruncated_common_1(A, delta_h, &u_cr, &c, &root, &x2, &third, &lam0_1, &lam0_2, &lam0_3, &term0_0,
-        &term01_0, &term02_0, &term03_0, &X0_0, &X0_1, &Z0_2, &Z0_3, &Y0_0, &Z0_1, &Z0_0);
+    double u_cr, c, root, V2, V4, V6, V8;
+    rod_spring_untruncated_common_1(A, delta_h, &u_cr, &c, &root, &V2, &V4, &V6, &V8);
     const double A2 = A * A;
-    const double X0_2 = 0.25 * lam0_2;
-    const double X0_3 = 0.25 * lam0_3;
-    const double Y0_1 = 0.25 * lam0_1;
-    const double Y0_2 = 0.25 * lam0_2;
-    const double Y0_3 = 0.25 * lam0_3;
-    double R_0, R_1, R_2, R_3;
-    rod_spring_untruncated_duplications(X0_0, X0_1, X0_2, X0_3, Y0_0, Y0_1, Y0_2, Y0_3, Z0_0, Z0_1, Z0_2, Z0_3,
-        term0_0, term01_0, term02_0, term03_0, &R_0, &R_1, &R_2, &R_3);
-    const double V2 = R_0 * third;
-    const double V4 = -2.0 * R_1 * third * x2;
-    const double x2_2 = x2 * x2;
-    const double V6 = 2.6666666666666665 * R_2 * third * x2_2;
-    const double x2_3 = x2 * x2_2;
-    const double V8 = -3.2000000000000002 * R_3 * third * x2_3;
     const double theta = angles_atan2_swapped(root, u_cr);
     const double tangent = u_cr / root;
     const double sum_0 = 0.5 * theta - 0.5 * root * u_cr / A2;
@@ -1027,14 +990,9 @@ SF_KERNEL void rod_spring_untruncated_averaged_all_passed_1_steep(double A, cons
     const double X0_3 = 0.25 * lam0_3;
     const double Y0_0 = 0.25 * c2 + 0.25 * lam0_0;
     const double Y0_1 = 0.25 * lam0_1 + 0.25;
-    const double Y0_2 = 0.25 * lam0_2;
-    const double Y0_3 = 0.25 * lam0_3;
     const double Z0_0 = 0.25 * lam0_0 + 0.25;
-    const double Z0_1 = 0.25 * lam0_1;
-    const double Z0_2 = 0.25 * lam0_2;
-    const double Z0_3 = 0.25 * lam0_3;
     double R_0, R_1, R_2, R_3;
-    rod_spring_untruncated_duplications(X0_0, X0_1, X0_2, X0_3, Y0_0, Y0_1, Y0_2, Y0_3, Z0_0, Z0_1, Z0_2, Z0_3,
+    rod_spring_untruncated_duplications(X0_0, X0_1, X0_2, X0_3, Y0_0, Y0_1, X0_2, X0_3, Z0_0, X0_1, X0_2, X0_3,
         term0_0, term01_0, term02_0, term03_0, &R_0, &R_1, &R_2, &R_3);
     const double V2 = R_0 * third;
     const double V4 = -2.0 * R_1 * third * x2;

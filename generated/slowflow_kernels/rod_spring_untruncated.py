@@ -166,47 +166,6 @@ def _arc_node(X2, K2, T2):
     return K2 * g3
 
 
-def _common_1(A, delta_h):
-    """What averaged_all_passed_1_steep_far, averaged_all_passed_1_steep_away have in common."""
-    u_cr = np.sqrt(-delta_h * delta_h + 2.0 * delta_h)
-    c = 1.0 - delta_h
-    c2 = c * c
-    lacking = c2 - (1.0 - u_cr) * (u_cr + 1.0)
-    half = 0.5 * (A - u_cr) * (A + u_cr)
-    root = np.sqrt(2.0 * half - 0.5 * np.abs(half - lacking) + 0.5 * np.abs(half + lacking))
-    A2 = A * A
-    x2 = u_cr * u_cr / A2
-    y2 = root * root / A2
-    third = 0.33333333333333331 * u_cr * x2 / A
-    a0_0 = np.sqrt(y2)
-    a0_half_0 = 0.5 / a0_0
-    a0_half_0_2 = a0_half_0 * a0_half_0
-    a0_half_0_3 = a0_half_0 * a0_half_0_2
-    a02_0 = -a0_half_0_3
-    a03_0 = -2.0 * a02_0 * a0_half_0_2
-    b0_0 = np.sqrt(c2)
-    lam0_0 = a0_0 * b0_0 + a0_0 + b0_0
-    lam0_1 = a0_half_0 * b0_0 + a0_half_0
-    lam0_2 = a02_0 * b0_0 + a02_0
-    lam0_3 = a03_0 * b0_0 + a03_0
-    q0_0 = lam0_0 + 1.0
-    term0_0 = 1.0 / q0_0
-    term01_0 = -lam0_1 * term0_0 * term0_0
-    term02_0 = -term0_0 * (lam0_1 * term01_0 + lam0_2 * term0_0)
-    term03_0 = -term0_0 * (lam0_1 * term02_0 + lam0_2 * term01_0 + lam0_3 * term0_0)
-    X0_0 = 0.25 * lam0_0 + 0.25 * y2
-    X0_1 = 0.25 * lam0_1 + 0.25
-    Y0_0 = 0.25 * c2 + 0.25 * lam0_0
-    Z0_0 = 0.25 * lam0_0 + 0.25
-    Z0_1 = 0.25 * lam0_1
-    Z0_2 = 0.25 * lam0_2
-    Z0_3 = 0.25 * lam0_3
-    return (
-        u_cr, c, root, x2, third, lam0_1, lam0_2, lam0_3, term0_0, term01_0, term02_0, term03_0, X0_0, X0_1, Z0_2,
-        Z0_3, Y0_0, Z0_1, Z0_0,
-    )
-
-
 def _duplication(x_0, x_1, x_2, x_3, y_0, y_1, y_2, y_3, z_0, z_1, z_2, z_3):
     """One duplication of the arguments of R_D, and what it takes off over 3, as Taylor series."""
     a_0 = np.sqrt(x_0)
@@ -392,6 +351,54 @@ def _duplications(X0_0, X0_1, X0_2, X0_3, Y0_0, Y0_1, Y0_2, Y0_3, Z0_0, Z0_1, Z0
         0.000244140625 * last_3 + 3.0 * term0_3 + 0.75 * term1_3 + 0.1875 * term2_3 + 0.046875 * term3_3 +
         0.01171875 * term4_3 + 0.0029296875 * term5_3,
     )
+
+
+def _common_1(A, delta_h):
+    """What averaged_all_passed_1_steep_far, averaged_all_passed_1_steep_away have in common."""
+    u_cr = np.sqrt(-delta_h * delta_h + 2.0 * delta_h)
+    c = 1.0 - delta_h
+    c2 = c * c
+    lacking = c2 - (1.0 - u_cr) * (u_cr + 1.0)
+    half = 0.5 * (A - u_cr) * (A + u_cr)
+    root = np.sqrt(2.0 * half - 0.5 * np.abs(half - lacking) + 0.5 * np.abs(half + lacking))
+    A2 = A * A
+    x2 = u_cr * u_cr / A2
+    y2 = root * root / A2
+    third = 0.33333333333333331 * u_cr * x2 / A
+    a0_0 = np.sqrt(y2)
+    a0_half_0 = 0.5 / a0_0
+    a0_half_0_2 = a0_half_0 * a0_half_0
+    a0_half_0_3 = a0_half_0 * a0_half_0_2
+    a02_0 = -a0_half_0_3
+    a03_0 = -2.0 * a02_0 * a0_half_0_2
+    b0_0 = np.sqrt(c2)
+    lam0_0 = a0_0 * b0_0 + a0_0 + b0_0
+    lam0_1 = a0_half_0 * b0_0 + a0_half_0
+    lam0_2 = a02_0 * b0_0 + a02_0
+    lam0_3 = a03_0 * b0_0 + a03_0
+    q0_0 = lam0_0 + 1.0
+    term0_0 = 1.0 / q0_0
+    term01_0 = -lam0_1 * term0_0 * term0_0
+    term02_0 = -term0_0 * (lam0_1 * term01_0 + lam0_2 * term0_0)
+    term03_0 = -term0_0 * (lam0_1 * term02_0 + lam0_2 * term01_0 + lam0_3 * term0_0)
+    X0_0 = 0.25 * lam0_0 + 0.25 * y2
+    X0_1 = 0.25 * lam0_1 + 0.25
+    X0_2 = 0.25 * lam0_2
+    X0_3 = 0.25 * lam0_3
+    Y0_0 = 0.25 * c2 + 0.25 * lam0_0
+    Y0_1 = 0.25 * lam0_1
+    Z0_0 = 0.25 * lam0_0 + 0.25
+    R_0, R_1, R_2, R_3 = _duplications(
+        X0_0, X0_1, X0_2, X0_3, Y0_0, Y0_1, X0_2, X0_3, Z0_0, Y0_1, X0_2, X0_3, term0_0, term01_0, term02_0,
+        term03_0
+    )
+    V2 = R_0 * third
+    V4 = -2.0 * R_1 * third * x2
+    x2_2 = x2 * x2
+    V6 = 2.6666666666666665 * R_2 * third * x2_2
+    x2_3 = x2 * x2_2
+    V8 = -3.2000000000000002 * R_3 * third * x2_3
+    return u_cr, c, root, V2, V4, V6, V8
 
 
 def _far_node(x, X2, less, both, K, c, T2, U2):
@@ -832,27 +839,10 @@ def _averaged_all_passed_1_steeper(A, alpha, beta, delta_h):
 
 
 def _averaged_all_passed_1_steep_far(A, alpha, beta, delta_h):
-    u_cr, c, root, x2, third, lam0_1, lam0_2, lam0_3, term0_0, term01_0, term02_0, term03_0, X0_0, X0_1, Z0_2, Z0_3, Y0_0, Z0_1, Z0_0 = _common_1(
-        A, delta_h
-    )
+    u_cr, c, root, V2, V4, V6, V8 = _common_1(A, delta_h)
     T = u_cr / (A + root)
     t0 = T * T
     A2 = A * A
-    X0_2 = 0.25 * lam0_2
-    X0_3 = 0.25 * lam0_3
-    Y0_1 = 0.25 * lam0_1
-    Y0_2 = 0.25 * lam0_2
-    Y0_3 = 0.25 * lam0_3
-    R_0, R_1, R_2, R_3 = _duplications(
-        X0_0, X0_1, X0_2, X0_3, Y0_0, Y0_1, Y0_2, Y0_3, Z0_0, Z0_1, Z0_2, Z0_3, term0_0, term01_0, term02_0,
-        term03_0
-    )
-    V2 = R_0 * third
-    V4 = -2.0 * R_1 * third * x2
-    x2_2 = x2 * x2
-    V6 = 2.6666666666666665 * R_2 * third * x2_2
-    x2_3 = x2 * x2_2
-    V8 = -3.2000000000000002 * R_3 * third * x2_3
     sum_0 = sum_1 = sum_2 = sum_3 = 0.0
     for X2, K2 in _NODES_3:
         (W_here, Wq_here, Wq_2_here, Wq_3_here) = _tangent_node(X2, K2, t0)
@@ -875,25 +865,8 @@ def _averaged_all_passed_1_steep_far(A, alpha, beta, delta_h):
 
 
 def _averaged_all_passed_1_steep_away(A, alpha, beta, delta_h):
-    u_cr, c, root, x2, third, lam0_1, lam0_2, lam0_3, term0_0, term01_0, term02_0, term03_0, X0_0, X0_1, Z0_2, Z0_3, Y0_0, Z0_1, Z0_0 = _common_1(
-        A, delta_h
-    )
+    u_cr, c, root, V2, V4, V6, V8 = _common_1(A, delta_h)
     A2 = A * A
-    X0_2 = 0.25 * lam0_2
-    X0_3 = 0.25 * lam0_3
-    Y0_1 = 0.25 * lam0_1
-    Y0_2 = 0.25 * lam0_2
-    Y0_3 = 0.25 * lam0_3
-    R_0, R_1, R_2, R_3 = _duplications(
-        X0_0, X0_1, X0_2, X0_3, Y0_0, Y0_1, Y0_2, Y0_3, Z0_0, Z0_1, Z0_2, Z0_3, term0_0, term01_0, term02_0,
-        term03_0
-    )
-    V2 = R_0 * third
-    V4 = -2.0 * R_1 * third * x2
-    x2_2 = x2 * x2
-    V6 = 2.6666666666666665 * R_2 * third * x2_2
-    x2_3 = x2 * x2_2
-    V8 = -3.2000000000000002 * R_3 * third * x2_3
     theta = np.arctan2(u_cr, root)
     tangent = u_cr / root
     sum_0 = 0.5 * theta - 0.5 * root * u_cr / A2
@@ -957,14 +930,9 @@ def _averaged_all_passed_1_steep(A, alpha, beta, delta_h):
     X0_3 = 0.25 * lam0_3
     Y0_0 = 0.25 * c2 + 0.25 * lam0_0
     Y0_1 = 0.25 * lam0_1 + 0.25
-    Y0_2 = 0.25 * lam0_2
-    Y0_3 = 0.25 * lam0_3
     Z0_0 = 0.25 * lam0_0 + 0.25
-    Z0_1 = 0.25 * lam0_1
-    Z0_2 = 0.25 * lam0_2
-    Z0_3 = 0.25 * lam0_3
     R_0, R_1, R_2, R_3 = _duplications(
-        X0_0, X0_1, X0_2, X0_3, Y0_0, Y0_1, Y0_2, Y0_3, Z0_0, Z0_1, Z0_2, Z0_3, term0_0, term01_0, term02_0,
+        X0_0, X0_1, X0_2, X0_3, Y0_0, Y0_1, X0_2, X0_3, Z0_0, X0_1, X0_2, X0_3, term0_0, term01_0, term02_0,
         term03_0
     )
     V2 = R_0 * third
