@@ -168,3 +168,9 @@ def test_what_many_mounts_take_is_declared():
         declared |= {(own.kwarg.arg, False)} if own.kwarg else set()
         _, *made = inspect.signature(getattr(physical_designs.PhysicalDesigns, question)).parameters.values()
         assert {(one.name, one.default is not one.empty) for one in made} == declared, question
+
+
+def test_help_on_many_mounts_has_their_names_and_units():
+    folds = physical_designs.PhysicalDesigns.saddle_nodes
+    assert inspect.getdoc(folds).startswith("Find every fold at F (24), (30), sorted by f: .f in Hz, .A in m, .kind,")
+    assert str(inspect.signature(folds)).startswith("(self, amplitude: 'Numbers | None' = None, /, *, max_count: 'int'")

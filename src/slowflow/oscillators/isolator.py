@@ -253,15 +253,7 @@ class Isolator(Oscillator):
         with scales.in_these_terms():
             isolator = cls(force=force, excitation=scales.of_oscillator, contact=laws.contact, mu_s=mu_s, **numbers)
         range_checks.warn(range_checks.of_mount(known, isolator.zeta, mounts), stacklevel=3)
-        arguments: dict[str, Any] = {
-            "m": m,
-            "k_v": k_v,
-            "k_h": k_h,
-            "n": n,
-            "L": L,
-            "preload": preload,
-            "friction": friction,
-        }
+        arguments: dict[str, Any] = dict(m=m, k_v=k_v, k_h=k_h, n=n, L=L, preload=preload, friction=friction)
         arguments |= {"mounts": mounts} if mounts > 1 else {}
         arguments |= {"c": c} if c is not None else {"zeta": isolator.zeta}
         in_terms = {"c_2": ("c_2", c_2), "c_3": ("c_3", c_3), "zeta_2": ("c_xx", c_xx)}
@@ -382,12 +374,8 @@ class Duffing(Oscillator):
         (damping,) = viscous = _viscous(c, zeta)
         springs = {"k_1": k_1, "k_3": k_3}
         laws = {"friction": friction, "eta": eta, "c_2": c_2, "c_3": c_3, "c_xx": c_xx, **viscous}
-        arguments: dict[str, Any] = {
-            "m": m,
-            **springs,
-            **laws,
-            "excitation": validate.excitation(excitation, tuple(EXCITED)),
-        }
+        excitation = validate.excitation(excitation, tuple(EXCITED))
+        arguments: dict[str, Any] = {"m": m, **springs, **laws, "excitation": excitation}
         in_si = {name: si(name, value, SHEET[name]) for name, value in arguments.items()}
         in_si |= {name: validate.number(name, in_si[name]) for name in springs}
         if not any(in_si[name] for name in springs):

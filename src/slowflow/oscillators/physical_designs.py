@@ -8,6 +8,7 @@ from __future__ import annotations
 import dataclasses
 import functools
 import inspect
+import re
 from collections.abc import Callable, Iterator, Mapping
 from operator import attrgetter
 from types import MappingProxyType
@@ -130,6 +131,8 @@ else:  # whose columns are read by name
 #: data that are the same for all mounts
 SETTINGS = ("mounts", "contact", "force", "excitation")
 NO_MAPS = "many mounts take plain arrays, maps over named axes are made by `Isolator.many` or `Duffing.many`"
+#: dimensionless names in docstrings, as they are in SI units
+IN_SI = {"F_0": "F", **{plain: shown for shown, plain in PLAIN.items()}}
 #: a density that has no customary unit
 WHITE_NOISE = "S_0"
 #: of a batch's answers in SI units what is computed when it is read, and has no unit
@@ -431,6 +434,13 @@ def _is_of_all(row: Question, name: str) -> bool:
     return plain in row.options and (plain == "psd" or (plain in QUANTITIES and QUANTITIES[plain].kind != ""))
 
 
+def _with_unit(name: str) -> str:
+    """A column as docstrings list it."""
+    column = QUANTITIES[name]
+    unit = SI.get("force" if column.kind == "amplitude" else column.kind, "")
+    return f".{column.si or name} in {unit}" if unit else f".{column.si or name}"
+
+
 def _question(name: str) -> Callable[..., Any]:
     """The method of a question: that about dimensionless designs, with the names of arguments that a mount has."""
     of_designs = getattr(ManyQuestions, name)
@@ -438,16 +448,19 @@ def _question(name: str) -> Callable[..., Any]:
     own, letters = [first.replace(kind=first.POSITIONAL_ONLY)], []
     for one in others:
         if one.name == "F_0":
-            letters = [inspect.Parameter("at", inspect.Parameter.VAR_KEYWORD)]
+            letters = [inspect.Parameter("at", inspect.Parameter.VAR_KEYWORD, annotation="Numbers")]
             if one.kind is one.POSITIONAL_OR_KEYWORD:
-                own.append(inspect.Parameter("amplitude", one.POSITIONAL_ONLY, default=None))
+                own.append(
+                    one.replace(name="amplitude", kind=one.POSITIONAL_ONLY, default=None, annotation="Numbers | None")
+                )
         elif one.name == "psd":
-            own += [one.replace(default=one.empty), one.replace(name="unit", default="g^2/Hz", annotation="str")]
+            own.append(one.replace(default=one.empty, annotation="tuple[Numbers, Numbers] | Columns"))
+            own.append(one.replace(name="unit", default="g^2/Hz", annotation="str"))
         elif one.name != WHITE_NOISE:
-            shown = QUANTITIES[one.name].si if one.name in QUANTITIES else ""
-            own.append(
-                one.replace(name=shown, default=None if one.default is not one.empty else one.empty) if shown else one
-            )
+            one = one.replace(annotation=one.annotation.replace("Arrays", "Numbers"))
+            if shown := QUANTITIES[one.name].si if one.name in QUANTITIES else "":
+                one = one.replace(name=shown, default=one.empty if one.default is one.empty else None)
+            own.append(one)
     signature = inspect.Signature([*own, *letters], return_annotation="ManyQuantities")
 
     def ask(*arguments: Any, **named: Any) -> ManyQuantities:
@@ -462,7 +475,8 @@ def _question(name: str) -> Callable[..., Any]:
     functools.update_wrapper(ask, of_designs)
     columns = dict.fromkeys(one for of_system in QUESTIONS[name].columns.values() for one in of_system)
     summary, _, _ = (of_designs.__doc__ or "").partition(": .")
-    ask.__doc__ = f"{summary}, in SI units: {' '.join(f'.{QUANTITIES[one].si or one}' for one in columns)}."
+    in_si = re.sub(r"\w+", lambda word: IN_SI.get(word[0], word[0]), summary)
+    ask.__doc__ = f"{in_si}: {', '.join(map(_with_unit, columns))}."
     ask.__qualname__ = f"{PhysicalDesigns.__qualname__}.{name}"
     ask.__dict__["__signature__"] = signature
     return ask
