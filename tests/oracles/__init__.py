@@ -16,5 +16,5 @@ inertia                   certified answers on a base that shakes
 second, stated            the second approximation, and mechanisms as their files state them
 draws                     random numbers of designs
 make_kernel_oracle, make_random_isolators, make_off_centre, make_off_centre_laws, make_damped, make_sided, make_stated,
-make_curved, make_closed, make_exact_motions        programs that write `tests/data`, as forces, inertia and second do
+make_closed, make_exact_motions        programs that write `tests/data`, as forces, inertia and second do
 """

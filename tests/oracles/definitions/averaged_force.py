@@ -153,21 +153,11 @@ def changes(name: str, passed: int, A, averaged: Sequence, *p) -> list:
     return found
 
 
-def passed_by(name: str, A: float, p: Sequence[float]) -> int:
-    return sum(A > end for end in doubles_at_ends(name, p))
-
-
 def doubles_at_ends(name: str, p: Sequence[float]) -> list[float]:
     """The doubles next to the breakpoints, which stand for them."""
     if name == "rod_spring_untruncated":
         return [math.sqrt(2 * p[2] - p[2] ** 2)]
     return list(map(float, pieces(name, p)[1]))
-
-
-def scale_of(name: str, p: Sequence[float]) -> float:
-    """The last breakpoint, or 1 where there is none."""
-    ends = doubles_at_ends(name, p)
-    return ends[-1] if ends else 1.0
 
 
 def steps(name: str, *q) -> list:
