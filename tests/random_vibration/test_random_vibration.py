@@ -316,6 +316,21 @@ def test_three_linear_oscillators_are_all_found_and_named():
     assert "there are 3 equivalent linear oscillators" in found.message
 
 
+def test_cubic_springs_in_a_band_have_as_many_motions_as_a_grid():
+    """k = 1 + 3 beta sigma^2, so that I_0(k) - (k - 1)/(3 beta) changes its sign at each motion."""
+    zeta, low, high, G, beta = 0.03, 1.15, 1.2, 0.05, np.geomspace(0.01, 100.0, 300)
+    k = 1 + np.geomspace(1e-6, 1e3, 40_000)
+    nodes, weights = np.polynomial.legendre.leggauss(40)
+    Omega = 0.5 * (low + high) + 0.5 * (high - low) * nodes
+    Z = (k[:, np.newaxis] - Omega**2) ** 2 + (2 * zeta * Omega) ** 2
+    I_0 = G * 0.5 * (high - low) * (1 / Z) @ weights
+    above = I_0 > (k - 1) / (3 * beta[:, np.newaxis])
+    expected = np.count_nonzero(above[:, 1:] != above[:, :-1], axis=1)
+    found = Duffing.many(1.0, beta, 0.0, zeta).random(psd=([low, high], [G, G]))
+    assert set(expected) == {1, 3}
+    assert found.count.tolist() == expected.tolist()
+
+
 @pytest.mark.parametrize("case", [1, 2, 7, *slow(0, 3, 4, 5, 6, 8, 9)])
 def test_stationary_motions_are_those_of_a_scan(case):
     random = np.random.default_rng(100 + case)

@@ -47,11 +47,11 @@ typedef struct {
 } sf_ends;
 
 /* The force for u > 0: its pieces, or parts of these without a change of sign, where what is summed is smooth. small, large:
- * the sizes that there are; u, secants: samples by rising u, and between which ends f/u is up to there; hardens: whether f/u is
- * known not to fall */
+ * the sizes that there are; hardens: whether f/u is known not to fall; pulls: and not to be negative. Of other forces u and
+ * secants are samples by rising u, and between which ends f/u is up to there */
 typedef struct {
     double small, large;
-    int count, samples, hardens;
+    int count, samples, hardens, pulls;
     sf_part_of_force at[SF_MOST_FORCE_PARTS];
     double u[SF_MOST_SAMPLES];
     sf_ends secants[SF_MOST_SAMPLES];
@@ -150,12 +150,16 @@ static void sf_put_parts(const sf_system *system, double small, double large, sf
     sf_positive whole;
     sf_put_pieces(system, &whole);
     to->hardens = sf_hardens(&whole);
+    to->pulls = to->hardens && whole.at[0].c[0] == 0.0 && whole.at[0].c[1] >= 0.0;
     to->small = small, to->large = large, to->count = to->samples = 0;
     for (int i = 0; i < whole.count; i++)
         if (whole.at[i].low > 0.0)
             to->small = fmin(to->small, whole.at[i].low), to->large = fmax(to->large, whole.at[i].low);
     for (int i = 0; i < whole.count && to->count < SF_MOST_FORCE_PARTS; i++)
-        sf_add_parts(&whole.at[i], to);
+        if (to->pulls)
+            to->at[to->count++] = whole.at[i];
+        else
+            sf_add_parts(&whole.at[i], to);
 }
 
 /* of where u f is positive and of where it is negative: |E[u f]|, |E[u^3 f]|/sigma^2; square: E[f^2]. Python reads
@@ -203,6 +207,11 @@ static void sf_add_piece(const sf_piece *piece, double low, double high, sf_gaus
 static sf_ends sf_secants_up_to(const sf_positive *force, double u)
 {
     int i = 0;
+    if (force->pulls) {
+        while (i + 1 < force->count && force->at[i].high < u)
+            i++;
+        return (sf_ends){force->at[0].c[1], u < HUGE_VAL ? sf_value(force->at[i].piece, u) / u : HUGE_VAL};
+    }
     while (i + 1 < force->samples && force->u[i] < u)
         i++;
     if (force->samples == SF_MOST_SAMPLES)
@@ -373,8 +382,12 @@ static void sf_put_motion(const sf_system *system, sf_motions *to, double mean, 
 static inline sf_ends sf_ends_of_product(sf_ends a, sf_ends b)
 {
     const double each[4] = {a.low * b.low, a.low * b.high, a.high * b.low, a.high * b.high};
-    return (sf_ends){fmin(fmin(each[0], each[1]), fmin(each[2], each[3])),
-                     fmax(fmax(each[0], each[1]), fmax(each[2], each[3]))};
+    sf_ends found = {each[0], each[0]};
+    for (int i = 1; i < 4; i++) {
+        found.low = each[i] < found.low ? each[i] : found.low;
+        found.high = each[i] > found.high ? each[i] : found.high;
+    }
+    return found;
 }
 
 /* Between which ends the slopes of ln(c) by ln(sigma_v) and ln(sigma_u) are in a cell, for velocities v: that by

@@ -28,35 +28,39 @@ enum { SF_IN_PART = 2 * SF_NODES };
 /* of ln(Omega): from where on a band is far from a pole; by how much -ln Z rises there with p at a constant damping ratio */
 #define SF_FAR_BAND 0.5
 #define SF_FAR_RISES (2.0 / (1.0 - exp(-2.0 * SF_FAR_BAND)) - 1.0)
-enum { SF_TRIALS = 5, SF_MOST_HALVINGS = 20, SF_FIRST_HALVINGS = 10 };
+enum { SF_TRIALS = 5, SF_MOST_HALVINGS = 20 };
+/* by how much more than its bound E[u f] is at the end of the search at most */
+#define SF_MORE 1.5
 /* how much of a cell may be left where its bounds say so, or it is cut */
 #define SF_SHRINKS 0.5
-/* how near a damping is wanted in a cell; I_0 is much nearer */
-#define SF_AS_NEAR 0x1p-14
+/* how near a damping is wanted in a cell, over its size; far from a root, and at it */
+#define SF_AS_NEAR 0x1p-5
+#define SF_ROUGH 0x1p-5
 #define SF_NEAREST 0x1p-28
 
-/* from low to high of ln(Omega); ln G is y + slope (ln Omega - x); G at low is by `rises` more than below it; at the
- * nodes Omega and G dOmega */
+/* from low to high of ln(Omega); ln G is y + slope (ln Omega - x); G at low, the frequency `begin`, is by `rises` more than
+ * below it; at the nodes Omega and G dOmega */
 typedef struct {
-    double low, high, x, y, slope, rises, Omega[SF_IN_PART], weight[SF_IN_PART];
+    double low, high, x, y, slope, begin, rises, Omega[SF_IN_PART], weight[SF_IN_PART];
 } sf_band;
 
 /* strength: pi times the largest density; whole: int G dOmega; over: int G/Omega dOmega; least, most: of the slopes;
- * falls: G at the end. Python keeps it as it stands, bands behind. */
+ * falls: G at the end, the frequency `end`. Python keeps it as it stands, bands behind. */
 typedef struct {
-    double strength, whole, over, least, most, falls;
+    double strength, whole, over, least, most, end, falls;
     int bands;
     sf_band band[];
 } sf_table;
 
+/* Of part of a band. G on both sides of its middle is a product and a quotient; Omega is as near as an exponential, since
+ * next to a pole its rounding counts. */
 static void sf_put_nodes(const sf_band *line, double low, double high, double *Omega, double *weight)
 {
-    const double m = 0.5 * (low + high), h = 0.5 * (high - low);
-    for (int j = 0; j < SF_IN_PART; j++) {
-        const int k = j % SF_NODES;
-        const double x = m + (j < SF_NODES ? -h : h) * sf_gauss_node[k];
-        Omega[j] = exp(x);
-        weight[j] = h * sf_gauss_weight[k] * Omega[j] * exp(line->y + line->slope * (x - line->x));
+    const double m = 0.5 * (low + high), h = 0.5 * (high - low), G = h * exp(line->y + line->slope * (m - line->x));
+    for (int j = 0; j < SF_NODES; j++) {
+        const double x = h * sf_gauss_node[j], grows = exp(line->slope * x), of = sf_gauss_weight[j] * G;
+        Omega[j] = exp(m - x), Omega[SF_NODES + j] = exp(m + x);
+        weight[j] = of / grows * Omega[j], weight[SF_NODES + j] = of * grows * Omega[SF_NODES + j];
     }
 }
 
@@ -79,7 +83,7 @@ static int sf_read_table(const double (*points)[2], int count, sf_table *to)
         const double x = log(points[i][0]), y = log(points[i][1]), width = log(points[i + 1][0]) - x;
         for (int j = 0; to != NULL && j < pieces; j++) {
             sf_band *const band = &to->band[bands + j];
-            *band = (sf_band){x + width * j / pieces, x + width * (j + 1) / pieces, x, y, slope,
+            *band = (sf_band){x + width * j / pieces, x + width * (j + 1) / pieces, x, y, slope, points[i][0],
                               j ? 0.0 : points[i][1] - below, {0.0}, {0.0}};
             sf_put_nodes(band, band->low, band->high, band->Omega, band->weight);
             for (int k = 0; k < SF_IN_PART; k++)
@@ -91,7 +95,7 @@ static int sf_read_table(const double (*points)[2], int count, sf_table *to)
             below = points[i + 1][1], read.least = fmin(read.least, slope), read.most = fmax(read.most, slope);
     }
     if (to != NULL) {
-        read.strength = 3.14159265358979324 * largest, read.falls = below, read.bands = bands;
+        read.strength = 3.14159265358979324 * largest, read.end = points[count - 1][0], read.falls = below, read.bands = bands;
         memcpy(to, &read, offsetof(sf_table, band));
     }
     return bands;
@@ -109,74 +113,116 @@ typedef struct {
     double k, c, middle, theta;
 } sf_resonance;
 
-SF_FMA static void sf_add_part(const sf_resonance *at, const sf_band *line, double low, double high, const double *Omega,
-                        const double *weight, double sums[2][3])
+/* By node of Gauss's rule: of I_0 and I_2 and their slopes by p and q. */
+typedef struct {
+    double of[2][3][SF_IN_PART];
+} sf_by_node;
+
+static inline void sf_add_nodes(const sf_resonance *at, const double *Omega, const double *weight, sf_by_node *to)
 {
-    double terms[2][3][SF_IN_PART];
     for (int j = 0; j < SF_IN_PART; j++) {
         double of[3];
         linearization_response(Omega[j], at->k, at->c, of);
         const double term = weight[j] / of[0], more = term * (Omega[j] * Omega[j]);
-        terms[0][0][j] = term, terms[0][1][j] = term * of[1], terms[0][2][j] = term * of[2];
-        terms[1][0][j] = more, terms[1][1][j] = more * of[1], terms[1][2][j] = more * of[2];
+        to->of[0][0][j] += term, to->of[0][1][j] += term * of[1], to->of[0][2][j] += term * of[2];
+        to->of[1][0][j] += more, to->of[1][1][j] += more * of[1], to->of[1][2][j] += more * of[2];
     }
-    for (int i = 0; i < 2; i++)
-        for (int by = 0; by < 3; by++)
-            for (int j = 0; j < SF_IN_PART; j++)
-                sums[i][by] += terms[i][by][j];
-    const double a = low - at->middle, b = high - at->middle, m = 0.5 * (a + b), h = 0.5 * (b - a);
-    const double tt = at->theta * at->theta;
-    if (!(m * m + tt < SF_POLE_NEAR * SF_POLE_NEAR * h * h))
-        return;
-    /* int dx/(x - X) less its quadrature, and the slope of both by X */
-    const double aa = a * a + tt, bb = b * b + tt;
-    double E[2] = {0.5 * log(bb / aa), atan2(-at->theta, b) - atan2(-at->theta, a)}, adds[6];
-    double D[2] = {a / aa - b / bb, at->theta / aa - at->theta / bb};
+}
+
+/* Bands of one straight line next to a pole, from low to high. E, D: quadratures of 1/(x - X) and of its slope by X,
+ * real and imaginary parts by node. */
+typedef struct {
+    const sf_band *line;
+    double low, high, E[2][SF_IN_PART], D[2][SF_IN_PART];
+} sf_near_pole;
+
+static inline void sf_add_pole_nodes(const sf_resonance *at, double low, double high, sf_near_pole *to)
+{
+    const double m = 0.5 * (low + high) - at->middle, h = 0.5 * (high - low), theta = at->theta;
     for (int j = 0; j < SF_IN_PART; j++) {
         const int k = j % SF_NODES;
-        const double x = m + (j < SF_NODES ? -h : h) * sf_gauss_node[k], over = 1.0 / (x * x + tt);
+        const double x = m + (j < SF_NODES ? -h : h) * sf_gauss_node[k], over = 1.0 / (x * x + theta * theta);
         const double term = h * sf_gauss_weight[k] * over;
-        E[0] -= term * x, E[1] -= term * at->theta;
-        D[0] -= term * over * (x * x - tt), D[1] -= term * over * (2.0 * x * at->theta);
+        to->E[0][j] += term * x, to->E[1][j] += term * theta;
+        to->D[0][j] += term * over * (x * x - theta * theta), to->D[1][j] += term * over * (2.0 * x * theta);
     }
-    const double G = exp(line->y + line->slope * (at->middle - line->x));
-    linearization_resonance(at->theta, at->k, at->c, line->slope, G, E[0], E[1], D[0], D[1], adds);
+}
+
+static inline double sf_sum(const double *by_node)
+{
+    double sum = 0.0;
+    for (int j = 0; j < SF_IN_PART; j++)
+        sum += by_node[j];
+    return sum;
+}
+
+/* What the pole adds there: int dx/(x - X) less its quadrature, and the slope of both by X. */
+static inline void sf_add_pole(const sf_resonance *at, const sf_near_pole *by, double sums[2][3])
+{
+    const double a = by->low - at->middle, b = by->high - at->middle, theta = at->theta;
+    const double aa = a * a + theta * theta, bb = b * b + theta * theta;
+    const double turns = atan2(theta * (b - a), a * b + theta * theta);
+    const double E[2] = {0.5 * log(bb / aa) - sf_sum(by->E[0]), turns - sf_sum(by->E[1])};
+    const double D[2] = {a / aa - b / bb - sf_sum(by->D[0]), theta / aa - theta / bb - sf_sum(by->D[1])};
+    const double G = exp(by->line->y + by->line->slope * (at->middle - by->line->x));
+    double adds[6];
+    linearization_resonance(theta, at->k, at->c, by->line->slope, G, E[0], E[1], D[0], D[1], adds);
     for (int i = 0; i < 2; i++)
-        for (int by = 0; by < 3; by++)
-            sums[i][by] += adds[3 * i + by];
+        for (int n = 0; n < 3; n++)
+            sums[i][n] += adds[3 * i + n];
 }
 
 /* Of a box in which p differs by r at most, how far from p/2 bands are near. */
 static inline double sf_band_reach(double r) { return 0.5 * r + SF_FAR_BAND; }
 
-static sf_moments sf_moments_at(const sf_table *table, double p, double q, double reach)
+SF_FMA static sf_moments sf_moments_at(const sf_table *table, double p, double q, double reach)
 {
     const double ratio = fmax(0.5 * exp(q - 0.5 * p), SF_LEAST_RATIO);
     const sf_resonance at = {exp(p), exp(q), 0.5 * p, ratio < 1.0 ? asin(ratio) : HUGE_VAL};
-    double both[2][2][3] = {{{0.0}}}, Omega[SF_IN_PART], weight[SF_IN_PART];
+    sf_by_node both[2] = {{{{{0.0}}}}};
+    sf_near_pole pole = {.line = NULL};
+    double sums[2][3] = {{0.0}}, Omega[SF_IN_PART], weight[SF_IN_PART];
     sf_moments found = {.near = {HUGE_VAL, -HUGE_VAL}};
     for (int i = 0; i < table->bands; i++) {
         const sf_band *const band = &table->band[i];
         const int is_far = band->high < at.middle - reach || band->low > at.middle + reach;
-        double(*const sums)[3] = both[is_far];
+        sf_by_node *const to = &both[is_far];
         if (!is_far)
             found.near = (sf_ends){fmin(found.near.low, band->slope), fmax(found.near.high, band->slope)};
-        if (at.middle > band->low && at.middle < band->high && at.theta < HUGE_VAL) {
-            /* no node is next to the pole, where what a sum and the pole have in common would cancel */
-            sf_put_nodes(band, band->low, at.middle, Omega, weight);
-            sf_add_part(&at, band, band->low, at.middle, Omega, weight, sums);
-            sf_put_nodes(band, at.middle, band->high, Omega, weight);
-            sf_add_part(&at, band, at.middle, band->high, Omega, weight, sums);
-        } else
-            sf_add_part(&at, band, band->low, band->high, band->Omega, band->weight, sums);
+        const double m = 0.5 * (band->low + band->high) - at.middle, h = 0.5 * (band->high - band->low);
+        if (!(m * m + at.theta * at.theta < SF_POLE_NEAR * SF_POLE_NEAR * h * h)) {
+            sf_add_nodes(&at, band->Omega, band->weight, to);
+            continue;
+        }
+        if (pole.line == NULL || pole.line->x != band->x) {
+            if (pole.line != NULL)
+                sf_add_pole(&at, &pole, sums);
+            pole = (sf_near_pole){.line = band, .low = band->low};
+        }
+        pole.high = band->high;
+        if (!(at.middle > band->low && at.middle < band->high)) {
+            sf_add_nodes(&at, band->Omega, band->weight, to);
+            sf_add_pole_nodes(&at, band->low, band->high, &pole);
+            continue;
+        }
+        /* no node is next to the pole, where what a sum and the pole have in common would cancel */
+        for (int above = 0; above < 2; above++) {
+            const double low = above ? at.middle : band->low, high = above ? band->high : at.middle;
+            sf_put_nodes(band, low, high, Omega, weight);
+            sf_add_nodes(&at, Omega, weight, to);
+            sf_add_pole_nodes(&at, low, high, &pole);
+        }
     }
+    if (pole.line != NULL)
+        sf_add_pole(&at, &pole, sums);
     if (found.near.low > found.near.high)
         found.near = (sf_ends){table->least, table->most};
     for (int i = 0; i < 2; i++) {
-        const double sum = both[0][i][0] + both[1][i][0];
-        found.value[i] = log(sum), found.far[i] = both[1][i][0] / sum;
+        for (int by = 0; by < 3; by++)
+            sums[i][by] += sf_sum(both[0].of[i][by]) + sf_sum(both[1].of[i][by]);
+        found.value[i] = log(sums[i][0]), found.far[i] = sf_sum(both[1].of[i][0]) / sums[i][0];
         for (int by = 0; by < 2; by++)
-            found.by[i][by] = (both[0][i][by + 1] + both[1][i][by + 1]) / sum;
+            found.by[i][by] = sums[i][by + 1] / sums[i][0];
     }
     return found;
 }
@@ -185,16 +231,15 @@ static sf_moments sf_moments_at(const sf_table *table, double p, double q, doubl
  * dG Omega^(j+1)/(2 Z I_j), with I_j at the centre of the box. */
 static void sf_jumps_within(const sf_table *table, int i, double value, const sf_ends *k, double ratio, double jumps[2])
 {
-    const double c = 2.0 * ratio * sqrt(k->low);
+    const double c = 2.0 * ratio * sqrt(k->low), over = 0.5 * exp(-value);
     jumps[0] = jumps[1] = 0.0;
     for (int j = 0; j <= table->bands; j++) {
         const double rises = j < table->bands ? table->band[j].rises : -table->falls;
         if (rises == 0.0)
             continue;
-        const double x = j < table->bands ? table->band[j].low : table->band[j - 1].high, Omega = exp(x);
-        const double away = fmax(fmax(k->low - Omega * Omega, Omega * Omega - k->high), 0.0);
-        const double Z = away * away + c * c * Omega * Omega;
-        jumps[rises > 0.0] += 0.5 * fabs(rises) * exp((2 * i + 1) * x - value) / Z;
+        const double Omega = j < table->bands ? table->band[j].begin : table->end, square = Omega * Omega;
+        const double away = fmax(fmax(k->low - square, square - k->high), 0.0), Z = away * away + c * c * square;
+        jumps[rises > 0.0] += fabs(rises) * over * Omega * (i ? square : 1.0) / Z;
     }
 }
 
@@ -224,7 +269,7 @@ static sf_steepness sf_steepness_within(double p, double q, const double r[2])
 
 static inline void sf_intersect(sf_ends *to, double low, double high)
 {
-    to->low = fmax(to->low, low), to->high = fmin(to->high, high);
+    to->low = low > to->low ? low : to->low, to->high = high < to->high ? high : to->high;
 }
 
 /* Between which ends the slopes of ln I_j are in that box, j = 2 i, by p, by q, and by p at a constant damping ratio. At that
@@ -267,9 +312,9 @@ static void sf_slopes_within(const sf_table *table, const sf_moments *at, double
 }
 
 /* The damping at a stiffness and a sigma_u: by_p and by_q of ln I_0 and ln I_2 there; D: half the slope of ln C by
- * ln(sigma_v); by_u: its slope by ln(sigma_u). */
+ * ln(sigma_v); by_u: its slope by ln(sigma_u); near: the last step to q, of which the square is left. */
 typedef struct {
-    double p, q, D, by_u;
+    double p, q, D, by_u, near;
     sf_moments moments;
 } sf_equivalent;
 
@@ -324,7 +369,7 @@ static sf_equivalent sf_equivalent_at(const sf_under_table *of, const sf_over_u 
         if (fabs(step) <= near) { /* what is left is of second order */
             for (int j = 0; j < 2; j++)
                 at.moments.value[j] += step * at.moments.by[j][1];
-            at.q += step;
+            at.q += step, at.near = fabs(step);
             at.by_u = ((damping->mu > 0.0 ? c[2] * damping->mu_slope / damping->mu : 0.0) + 2.0 * damping->zeta_slope) / c[0];
             return at;
         }
@@ -344,7 +389,7 @@ static void sf_slope_within(const sf_under_table *of, const sf_equivalent *at, c
     double apart = 1.5 * (fabs(sf_damping_by_p(at) - 0.5) * r[0] + fabs(sf_damping_by_u(at)) * r[1]);
     *by_p = *by_u = (sf_ends){-HUGE_VAL, HUGE_VAL};
     for (int i = 0; i < 6; i++) {
-        const double square = at->moments.value[1], ratio = apart + SF_AS_NEAR;
+        const double square = at->moments.value[1], ratio = apart + at->near;
         sf_ends slopes[2][3], D, own;
         sf_slopes_within(of->table, &at->moments, at->p, at->q, (double[2]){r[0], ratio}, slopes);
         const sf_ends *const I_0 = slopes[0], *const I_2 = slopes[1];
@@ -400,54 +445,63 @@ static double sf_excess(sf_linearized *of, const sf_gaussian *at, double near, s
     return damped->moments.value[0] - 2.0 * log(at->sigma);
 }
 
-/* The root in a cell on which the excess is monotone, if it has one: Newton's iteration between ends that close in, of which
- * the excess may have a known sign, from a sigma on. */
-static void sf_put_stationary(sf_linearized *of, const sf_gaussian *a, const sf_gaussian *b, int falls, double from)
+/* The root in a cell, if it has one: the excess rises or falls between two values of ln(sigma), and has no root
+ * elsewhere. Newton's iteration between ends that close in, from a sigma on. Where that leaves the cell the sign at its end
+ * says whether there is a root. The damping is wanted as near as the step before is small: one integral serves both. */
+static void sf_put_stationary(sf_linearized *of, const sf_gaussian *a, const sf_gaussian *b, sf_ends t, int rises,
+                              double from)
 {
-    sf_equivalent damped = of->near;
-    int below = 0;
-    if (!falls) {
-        below = sf_excess(of, a, SF_NEAREST, &damped) < 0.0;
-        const double excess = sf_excess(of, b, SF_NEAREST, &damped);
-        if (isnan(excess) || damped.q != damped.q)
-            of->found->undecided[0] = exp(damped.p), of->found->undecided[1] = exp(of->near.q);
-        if (below == (excess < 0.0))
-            return;
-    }
-    double low = a->sigma, high = b->sigma, near = SF_AS_NEAR;
+    /* whether the signs at the ends are */
+    int known[2] = {!rises && t.low > log(a->sigma), !rises && t.high < log(b->sigma)};
+    double low = known[0] ? exp(t.low) : a->sigma, high = known[1] ? exp(t.high) : b->sigma;
+    double before = 0.0, near = SF_ROUGH;
     sf_gaussian at = sf_averages(of->force, from > low && from < high ? from : sqrt(low) * sqrt(high));
-    for (int i = 0, last = 0; i < SF_MOST_STEPS; i++) {
+    sf_equivalent damped;
+    for (int i = 0; i < SF_MOST_STEPS; i++) {
         const double excess = sf_excess(of, &at, near, &damped);
-        if (last)
+        if (isnan(excess))
             break;
+        const int above = (excess < 0.0) == rises;
+        if (at.sigma == (above ? b : a)->sigma)
+            return;
         double(*const by)[2] = damped.moments.by;
         const double by_p = by[0][0] + by[0][1] * sf_damping_by_p(&damped), by_u = by[0][1] * sf_damping_by_u(&damped);
-        const double steep = by_p * (sf_third(&at) / sf_first(&at) - 3.0) + by_u - 2.0;
-        const double next = at.sigma * exp(-excess / steep);
-        if ((excess < 0.0) == below)
-            low = at.sigma;
+        const double stiffens = sf_third(&at) / sf_first(&at) - 3.0;
+        const double step = -excess / (by_p * stiffens + by_u - 2.0), next = at.sigma * exp(step);
+        if (fabs(excess) > damped.near) /* its sign is known */
+            *(above ? &low : &high) = at.sigma;
+        const int inside = next > low && next < high;
+        /* steps are as the squares of those before: what follows is of the order of size^3/before^2 */
+        const double size = fabs(step) + damped.near;
+        if (size * size * size <= 0x1p-54 * before * before || size <= 0x1p-32 ||
+            high <= low * (1.0 + 0x1p-51)) {
+            const double p = stiffens * step, q = sf_damping_by_p(&damped) * p + sf_damping_by_u(&damped) * step;
+            const double v = exp(0.5 * (damped.moments.value[1] + by[1][0] * p + by[1][1] * q));
+            at = sf_averages(of->force, next);
+            sf_put_motion(of->excited->system, of->found, 0.0, next, at.square, v, sf_first(&at) / (next * next));
+            return;
+        }
+        before = inside ? size : 0.0;
+        near = inside ? fmax(fmin(step * step, SF_ROUGH), SF_NEAREST) : SF_NEAREST;
+        if (inside)
+            at = sf_averages(of->force, next);
+        else if (known[above]++)
+            at = sf_averages(of->force, sqrt(low * high));
         else
-            high = at.sigma;
-        last = (near == SF_NEAREST && fabs(excess) <= 0x1p-30 * fabs(steep)) || high <= low * (1.0 + 0x1p-51);
-        near = fabs(excess) < SF_AS_NEAR ? SF_NEAREST : SF_AS_NEAR;
-        at = sf_averages(of->force, last || (next > low && next < high) ? next : sqrt(low * high));
+            at = above ? *b : *a;
     }
-    sf_put_motion(of->excited->system, of->found, 0.0, at.sigma, at.square, exp(0.5 * damped.moments.value[1]), exp(damped.p));
+    of->found->undecided[0] = exp(of->near.p), of->found->undecided[1] = exp(of->near.q);
 }
 
-/* The stiffness in a cell, and its slope by ln(sigma): from its averages, and from what f/u is up to there. Where that does not
- * fall the slope, E[x^2 u (f/u)'] at u = sigma x, is an average of what is positive. */
+/* The stiffness in a cell, which rises where f/u does; of other forces its slope by ln(sigma) too, from averages, and from what
+ * f/u is up to there. */
 static sf_ends sf_stiffness_within(const sf_positive *force, const sf_gaussian *a, const sf_gaussian *b, sf_ends *slope)
 {
     const double grows = b->sigma / a->sigma, cube = grows * grows * grows, fifth = cube * grows * grows;
     const double aa = a->sigma * a->sigma, bb = b->sigma * b->sigma, width = log(grows);
-    if (force->hardens) {
-        const double at_a = (sf_third(a) - 3.0 * sf_first(a)) / aa, at_b = (sf_third(b) - 3.0 * sf_first(b)) / bb;
-        const double error = SF_ERROR * (b->first[0] + b->first[1]) / bb;
-        const double steep = SF_ERROR * (b->third[0] + b->third[1]) / bb + 3.0 * error;
-        *slope = (sf_ends){fmax(at_a - steep, 0.0) / cube, (at_b + steep) * cube};
+    const double error = SF_ERROR * (b->first[0] + b->first[1]) / bb;
+    if (force->hardens)
         return (sf_ends){sf_first(a) / aa - error, sf_first(b) / bb + error};
-    }
     const sf_ends secants = sf_secants_up_to(force, SF_FARTHEST * b->sigma);
     const double most = secants.high - secants.low;
     sf_ends K = {fmax(secants.low, a->first[0] / aa / cube - b->first[1] / bb * cube),
@@ -455,10 +509,22 @@ static sf_ends sf_stiffness_within(const sf_positive *force, const sf_gaussian *
     slope->low = fmax(-3.0 * most, a->third[0] / aa / fifth - b->third[1] / bb * fifth - 3.0 * K.high);
     slope->high = fmin(3.0 * most, b->third[0] / bb * fifth - a->third[1] / aa / fifth - 3.0 * K.low);
     const double low = fmin(slope->low, 0.0) * width, high = fmax(slope->high, 0.0) * width;
-    const double error = SF_ERROR * (b->first[0] + b->first[1]) / bb;
     K.low = fmax(K.low, fmax(sf_first(a) / aa + low, sf_first(b) / bb - high)) - error;
     K.high = fmin(K.high, fmin(sf_first(a) / aa + high, sf_first(b) / bb - low)) + error;
     return K;
+}
+
+/* The slope of a rising stiffness K by ln(sigma), between two values of that: E[x^2 u (f/u)'] at u = sigma x, of what is
+ * positive, so that sigma^3 times it rises. So it is no more than at b times a cube, nor than allows K to gain from there
+ * to b what it does at most. */
+static sf_ends sf_stiffening_within(const sf_gaussian *a, const sf_gaussian *b, sf_ends K, sf_ends t)
+{
+    const double aa = a->sigma * a->sigma, bb = b->sigma * b->sigma, begin = log(a->sigma), end = log(b->sigma);
+    const double at_a = (sf_third(a) - 3.0 * sf_first(a)) / aa, at_b = (sf_third(b) - 3.0 * sf_first(b)) / bb;
+    const double error = SF_ERROR * (b->third[0] + b->third[1] + 3.0 * (b->first[0] + b->first[1])) / bb;
+    const double gains = 3.0 * (K.high - K.low) / (1.0 - exp(3.0 * (t.high - end)));
+    return (sf_ends){fmax(at_a - error, 0.0) * exp(3.0 * (begin - t.high)),
+                     fmin((at_b + error) * exp(3.0 * (end - t.low)), gains)};
 }
 
 /* Where a cell of a rising stiffness is cut: where ln k is between two values, or in its middle if it is not there soon. */
@@ -493,19 +559,22 @@ static void sf_search_stationary(sf_linearized *of, const sf_gaussian *a, const 
     const double low = log(fmax(K.low, soft)), high = log(fmax(K.high, soft)), r = 0.5 * (high - low);
     const double middle_sigma = sqrt(a->sigma) * sqrt(b->sigma), width = 0.5 * log(grows);
     const sf_over_u damping = sf_damping_over_u(of->excited->system, middle_sigma);
-    const sf_equivalent at = sf_equivalent_by(of, &damping, low + r, sf_band_reach(r), SF_AS_NEAR);
+    const sf_equivalent at = sf_equivalent_by(of, &damping, low + r, sf_band_reach(r), SF_AS_NEAR * (r + width));
     sf_ends by_p, by_u;
     sf_slope_within(of->excited, &at, &first, &last, (double[2]){r, width}, &by_p, &by_u);
-    const double L = at.moments.value[0], error = SF_AS_NEAR + (K.low < soft ? 4.0 * SF_SOFT : 0.0);
+    const double L = at.moments.value[0], error = at.near + (K.low < soft ? 4.0 * SF_SOFT : 0.0);
     const double shift = sf_steepest_of(by_p) * r + sf_steepest_of(by_u) * width + error;
-    const double from = 0.5 * (L - shift), to = 0.5 * (L + shift), begin = log(a->sigma), end = log(b->sigma);
-    if (to < begin || from > end)
+    const double begin = log(a->sigma), end = log(b->sigma), from = 0.5 * (L - shift), to = 0.5 * (L + shift);
+    const sf_ends left = {fmax(from, begin), fmin(to, end)};
+    if (left.low > left.high)
         return;
     if (K.low >= soft) {
+        if (of->force->hardens)
+            slope = sf_stiffening_within(a, b, K, left);
         const sf_ends over = {1.0 / K.high, 1.0 / K.low};
         const sf_ends excess = sf_ends_of_product(by_p, sf_ends_of_product(slope, over));
         if (excess.high + by_u.high < 2.0 || excess.low + by_u.low > 2.0) {
-            sf_put_stationary(of, a, b, from > begin && to < end, exp(0.5 * L));
+            sf_put_stationary(of, a, b, left, excess.low + by_u.low > 2.0, exp(0.5 * L));
             return;
         }
     }
@@ -514,7 +583,7 @@ static void sf_search_stationary(sf_linearized *of, const sf_gaussian *a, const 
             of->found->undecided[0] = exp(at.p), of->found->undecided[1] = exp(at.q);
         return;
     }
-    if (fmin(to, end) - fmax(from, begin) < SF_SHRINKS * (end - begin)) {
+    if (left.high - left.low < SF_SHRINKS * (end - begin)) {
         const sf_gaussian c = from > begin ? sf_averages(of->force, exp(from)) : *a;
         const sf_gaussian d = to < end ? sf_averages(of->force, exp(to)) : *b;
         sf_search_stationary(of, &c, &d);
@@ -550,13 +619,15 @@ static int sf_tabulated(const sf_system *system, const sf_table *table, sf_motio
     }
     const sf_gaussian a = sf_averages(&force, from);
     sf_gaussian b = sf_averages(&force, to);
-    /* E[u f] is size^2 at most, and rises with f/u */
-    for (int i = 0; force.hardens && i < SF_FIRST_HALVINGS; i++) {
-        const sf_gaussian at = sf_averages(&force, sqrt(from) * sqrt(b.sigma));
-        if (sf_first(&at) > (1.0 + SF_ERROR) * size * size)
+    /* E[u f] is size^2 at most, and rises with f/u: an end, to which Newton's iteration for its logarithm comes near */
+    double sigma = size, more = 0.0;
+    while (force.hardens && sigma > from && sigma < b.sigma && !(more > 1.0 && more < SF_MORE)) {
+        const sf_gaussian at = sf_averages(&force, sigma);
+        more = sf_first(&at) / ((1.0 + SF_ERROR) * size * size);
+        if (more > 1.0)
             b = at;
-        else
-            from = at.sigma;
+        sigma = more > 0.0 ? sigma * pow(sqrt(SF_MORE) / more, 1.0 / (sf_third(&at) / sf_first(&at) - 1.0))
+                           : sqrt(sigma) * sqrt(b.sigma);
     }
     sf_linearized of = {.excited = &excited, .force = &force, .near = {.q = -HUGE_VAL}, .found = found};
     sf_search_stationary(&of, &a, &b);

@@ -242,9 +242,10 @@ static void sf_search_offset(sf_offset *of, sf_offset_box box)
     const double low = log(fmax(G[1].low / sigma, of->soft)), high = log(fmax(G[1].high / sigma, of->soft));
     const double p = at.A[1] > of->soft * sigma ? log(at.A[1] / sigma) : 0.5 * (low + high);
     sf_ends by_p;
-    const double L = sf_power_at(of, p, fmax(high - p, p - low), SF_AS_NEAR, &by_p);
+    const double near = of->square > 0.0 ? SF_ERROR : SF_AS_NEAR * (d + tall);
+    const double L = sf_power_at(of, p, fmax(high - p, p - low), near, &by_p);
     const sf_ends all = sf_ends_of_product(by_p, (sf_ends){low - p, high - p});
-    const double error = of->square > 0.0 ? SF_ERROR : SF_AS_NEAR + (G[1].low < of->soft * sigma ? 4.0 * SF_SOFT : 0.0);
+    const double error = near + (G[1].low < of->soft * sigma ? 4.0 * SF_SOFT : 0.0);
     if (L + all.high + error < 2.0 * (box.t - tall) || L + all.low - error > 2.0 * (box.t + tall))
         return;
     if (G[1].low > of->soft * sigma) {
