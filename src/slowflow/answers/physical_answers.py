@@ -67,7 +67,7 @@ class MeasuredPoint(Quantities, Excited[float | None]):
     f: float | None
     A: float | None
     error: float | None
-    error_of_Omega: float | None
+    error_of_f: float | None
     message: str
 
 

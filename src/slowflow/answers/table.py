@@ -173,7 +173,7 @@ def _columns() -> Iterator[tuple[str, Column]]:
 #: by name
 COLUMNS: Mapping[str, Column] = MappingProxyType(dict(_columns()))
 
-#: quantities of messages that are no columns
+#: quantities of messages and of measured answers that are no columns
 QUOTED = (
     Column("mu", "dry friction", "force", "friction"),
     Column("mu_s", "static friction", "force", "static_friction"),
@@ -184,6 +184,7 @@ QUOTED = (
     Column("v_0", "initial velocity", "speed"),
     Column("after", "duration of a free motion", "time"),
     Column("reach", "largest |u| for which the force is valid", "length"),
+    Column("error_of_Omega", "relative error of an averaged frequency", si="error_of_f"),
     Column("held", "amplitude up to which friction holds a mass at rest", "amplitude"),
 )
 #: all quantities of messages, by name
