@@ -452,7 +452,7 @@ def unjudged_lines(found: list[Numbers]) -> list[str]:
 
 def wrong_lines(numbers: Numbers) -> list[str]:
     """The wrong counts, if any: how many, and some of each question, the farthest from a level first."""
-    head = ("queries", "found", "proved", "distance / u(1+κ)", "relative", "Omega of the level", "where")
+    head = ("question", "found", "proved", "distance / u(1+κ)", "relative", "Omega of the level", "where")
     wrong, rows = 0, []
     for total in totals(numbers["counts"]):
         wrong += len(total["wrong"])
@@ -515,7 +515,7 @@ def proof_lines(numbers: Numbers) -> list[str]:
         head = ("isolator", "F_0", "found", "proved")
         lines += ["Where another number of folds is proved than found:", "", *table(head, _rows(numbers["others"])), ""]
     if unproved:
-        head = ("queries", "isolator", "F_0", "why")
+        head = ("question", "isolator", "F_0", "why")
         lines += ["Not proved, with what the answer says:", "", *table(head, _rows(unproved)), ""]
     return lines
 

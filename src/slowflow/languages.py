@@ -178,7 +178,7 @@ def matlab(module: ModuleType) -> str:
         The content of a file named after the module, as `rod_spring.m`, for MATLAB and GNU Octave. Functions take
         numbers or arrays that expand to one size: `[h, h_A] = rod_spring.averaged(A, alpha, beta, gamma, u_cr)`. Those
         that are composed with the slow flow call the class of that module, `slow_flow.m`. Kernels on intervals, by
-        quadrature and of the compiled solvers alone are left out; the file lists them.
+        quadrature and in C alone are left out; the file lists them.
     """
     tree = ast.parse(inspect.getsource(module))
     kernels = [one for one in tree.body if isinstance(one, ast.FunctionDef)]
@@ -192,7 +192,7 @@ def matlab(module: ModuleType) -> str:
     about = [(ast.get_docstring(tree) or "").partition("\n\n")[0], WRITTEN]
     left_out = [one.name for one in kernels if one.name in module.__all__ and one.name not in writer.written]
     if left_out := [*left_out, *getattr(module, "FROM_C", ())]:
-        about.append(f"Without kernels on intervals, by quadrature or of solvers alone: {', '.join(left_out)}.")
+        about.append(f"Without kernels on intervals, by quadrature or in C alone: {', '.join(left_out)}.")
     lines = [f"    % {line}" for text in about for line in textwrap.wrap(text, 110)]
     body = textwrap.indent("\n".join(methods), " " * 8)
     return "\n".join([f"classdef {writer.name}", *lines, "    methods (Static)", f"{body}    end", "end", ""])

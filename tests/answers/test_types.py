@@ -61,7 +61,8 @@ def declared(kind):
     cls = typing.get_origin(kind) or kind
     variables = {}
     for of in (kind, *(of for base in cls.__mro__ for of in vars(base).get("__orig_bases__", ()))):
-        variables |= zip(getattr(typing.get_origin(of), "__parameters__", ()), typing.get_args(of), strict=False)
+        if parameters := getattr(typing.get_origin(of), "__parameters__", ()):
+            variables |= zip(parameters, typing.get_args(of), strict=True)
     own = {
         name
         for base in cls.__mro__

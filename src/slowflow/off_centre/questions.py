@@ -116,8 +116,8 @@ def _kept(answer: Method) -> Method:
 class OffCentre(Unchanging, ComposedQuestions):
     """An averaged oscillator under a static load, or one whose motions may leave the centre.
 
-    load  -- the static load over k_v L, in addition to the load that the vertical spring carries at the centre
-    asked -- the oscillator that compares answers with the equation of motion, if known
+    load     -- the static load over k_v L, in addition to the load that the vertical spring carries at the centre
+    equation -- the oscillator that compares answers with the equation of motion, if known
 
     Answers are cached for some time, because some use others: a response curve uses its folds, margins use almost all.
     The force may be any piecewise polynomial, odd or not, and any other that is smooth up to the ends of its pieces.
