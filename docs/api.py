@@ -19,6 +19,7 @@ MODULES = (
     "slowflow",
     "slowflow.oscillators.physical",
     "slowflow.oscillators.physical_designs",
+    "slowflow.oscillators.physical_grid",
     "slowflow.answers.quantities",
     "slowflow.oscillators.measurements",
     "slowflow.oscillators.oscillator",

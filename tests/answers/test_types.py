@@ -155,6 +155,8 @@ def test_what_type_checkers_accept_runs():
     user_script.many(Isolator.many(lam=3, r=r, delta_h=0.08, mu=0.012, zeta=0.02), r)
     user_script.physical(mount)
     user_script.many_mounts(mount.many(m=[25.0, 26.0]), mount.many(load=[25.0, 26.0]))
+    xarray = pytest.importorskip("xarray", reason="the extra `grid` is not installed: xarray")
+    user_script.maps(mount.many(m=xarray.DataArray([25.0, 26.0], dims="m")))
 
 
 def test_what_many_mounts_take_is_declared():
@@ -162,7 +164,7 @@ def test_what_many_mounts_take_is_declared():
     (typed,) = (node for node in ast.parse(inspect.getsource(physical_designs)).body if isinstance(node, ast.If))
     calls = {one.name: one.body[0].args for one in typed.body if isinstance(one, ast.ClassDef)}
     for question in QUESTIONS:
-        own = calls[physical_designs.PhysicalDesigns.__annotations__[question]]
+        own = calls[physical_designs.PhysicalQuestions.__annotations__[question].removesuffix("[Found]")]
         keywords = zip(own.kwonlyargs, own.kw_defaults, strict=True)
         declared = {(one.arg, one_default is not None) for one, one_default in keywords}
         declared |= {("amplitude", True)} if own.posonlyargs else set()

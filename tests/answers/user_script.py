@@ -14,6 +14,7 @@ from slowflow import Duffing, Isolator, Physical
 from slowflow.answers import results
 from slowflow.grid.many import Designs
 from slowflow.oscillators.physical_designs import PhysicalDesigns
+from slowflow.oscillators.physical_grid import PhysicalGrid
 
 Floats = NDArray[np.float64]
 Codes = NDArray[np.int8]
@@ -127,7 +128,16 @@ def many_mounts(mounts: PhysicalDesigns, loaded: PhysicalDesigns) -> None:
     assert_type(mounts.random(psd=([1, 50], [1e-4, 1e-6])).x_rms, Floats)
 
 
-def wrong(iso: Isolator, designs: Designs, mount: Physical, mounts: PhysicalDesigns) -> None:
+def maps(grid: PhysicalGrid) -> None:
+    assert_type(grid.sizes, dict[str, int])
+    grid.peak(F="5 N")
+    grid.saddle_nodes(5, max_count=2)
+    grid.random(psd=([1.0, 50.0], [1e-4, 1e-6]))
+
+
+def wrong(iso: Isolator, designs: Designs, mount: Physical, mounts: PhysicalDesigns, grid: PhysicalGrid) -> None:
+    grid.peak(G=5)  # type: ignore
+    grid.amplitudes(F=5)  # type: ignore
     iso.saddle_nodes("x")  # type: ignore
     iso.amplitudes(Omega="x", F_0=0.04)  # type: ignore
     print(iso.saddle_nodes(0.04).onmega)  # type: ignore

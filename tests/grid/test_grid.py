@@ -251,6 +251,7 @@ def test_maps_under_a_load_have_the_answers_of_the_batch(tmp_path):
 def test_each_column_of_a_map_says_what_it_is():
     found = over().margins(F_0=0.05)
     assert all(found[name].attrs["long_name"] for name in (*found.data_vars, "F_0", "mu"))
+    assert not any({"units", "flag_meanings"} <= column.attrs.keys() for column in found.variables.values())
     assert found["kind"].attrs["flag_meanings"].split() == [code.name for code in OnsetKind]
     assert found["onset"].attrs["flag_meanings"].split() == [code.name for code in Status]
     with pytest.raises(ValueError, match="cannot be named row"):

@@ -38,13 +38,14 @@ EXAMPLES_NEED = {
     "slowflow.answers.answer": ("pandas", "xarray"),
     "slowflow.averaged.batches": ("xarray",),
     "slowflow.derive": ("sympy", "flint"),
-    "slowflow.grid.designs": ("xarray", "dask", "zarr"),
+    **dict.fromkeys(("slowflow.grid.designs", "slowflow.oscillators.physical_grid"), ("xarray", "dask", "zarr")),
     "slowflow.sizing.tolerances": ("SALib",),
 }
 #: modules whose examples take seconds
 SLOW = {
     "slowflow.derive",
     "slowflow.grid.designs",
+    "slowflow.oscillators.physical_grid",
     *(f"slowflow.sizing.{room}" for room in ("fitting", "requirements", "tolerances")),
     *(f"slowflow.off_centre.{room}" for room in ("answers", "many", "questions")),
 }

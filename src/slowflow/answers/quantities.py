@@ -77,12 +77,17 @@ UNITS: Mapping[str, Mapping[str, float]] = MappingProxyType(
         "angle": {"rad": 1.0, "deg": math.tau / 360},
         "mass": {"kg": 1.0, "lb": LB},
         "quadratic damping": {"N s^2/m^2": 1.0},
+        "cubic damping": {"N s^3/m^3": 1.0},
+        "growing damping": {"N s/m^3": 1.0},
         "damping": {"N s/m": 1.0},
         "rate": {"1/s": 1.0},
     }
 )
 #: those in which answers are shown, one of each kind
-USUAL = ("N", "mm", "Hz", "ms", "mm/s", "m/s^2", "N/m", "N/m^3", "rad", "kg", "kg m", "N s^2/m^2", "N s/m", "1/s")
+USUAL = (
+    *("N", "mm", "Hz", "ms", "mm/s", "m/s^2", "N/m", "N/m^3", "rad", "kg", "kg m", "1/s"),
+    *("N s/m", "N s^2/m^2", "N s^3/m^3", "N s/m^3"),
+)
 #: amplitudes of the excitation: the dimensionless F_0 is F, Y, U or a, of this kind
 EXCITED: Mapping[str, tuple[str, str]] = MappingProxyType(
     {

@@ -20,6 +20,7 @@ import numpy.typing as npt
 
 from slowflow.core import validate
 from slowflow.core.mechanism import Floats, Reals
+from slowflow.support.text import text
 from slowflow_kernels.conventions import FoldKind, OnsetKind
 
 __all__ = ["Columns", "ManyQuestions"]
@@ -63,9 +64,9 @@ Counts = npt.NDArray[np.intc]
 Sums = npt.NDArray[np.uint16]
 
 
-def _column(text: str, kind: str = "", si: str = "", none: int = 0) -> Any:
-    """A line of `Columns`; its annotation says the type."""
-    return Column("", text, kind, si, none=none)
+def _column(meaning: str, kind: str = "", si: str = "", none: int = 0) -> Any:
+    """A line of `Columns`, whose meaning may be a pattern of `slowflow.support.text`; its annotation says the type."""
+    return Column("", text(meaning) if "{" in meaning else meaning, kind, si, none=none)
 
 
 class SameColumns:
@@ -88,31 +89,33 @@ class SameColumns:
     ratio_e: Floats = _column("damping ratio of the equivalent linear oscillator")
     dry: Floats = _column("fraction of that damping due to dry friction")
     beyond: Floats = _column("fraction of the time beyond the first breakpoint on either side")
-    crossing_rate: Floats = _column("rate at which u crosses these outwards", "rate")
+    crossing_rate: Floats = _column("rate at which {u} crosses these outwards", "rate")
     v: Floats = _column("velocity", "speed")
     a: Floats = _column("acceleration of the mass", "acceleration")
     base: Floats = _column("acceleration of the base", "acceleration")
     a_max: Floats = _column("largest acceleration of the mass", "acceleration")
-    acceleration: Floats = _column("acceleration of the base, over k_v L/m", "acceleration")
+    acceleration: Floats = _column("{acceleration of the base, over k_v L/m|acceleration of the base}", "acceleration")
     duration: Floats = _column("duration of a half sine", "time")
     period: Floats = _column("period of a motion", "time")
     k_0: Floats = _column("stiffness at the centre", "stiffness")
     stiffness: Floats = _column("stiffness at an equilibrium, or of the equivalent linear oscillator", "stiffness")
     break_loose: Floats = _column("largest constant force that friction can hold", "force")
-    sticking: Floats = _column("force amplitude up to which the mass sticks, 4 mu/pi (27)", "force")
+    sticking: Floats = _column(
+        "force amplitude up to which the mass sticks, {4 mu/pi|4/pi times the friction} (27)", "force"
+    )
     force: Floats = _column("restoring force", "force")
     load: Floats = _column("static load in addition to that on the vertical spring at the centre", "mass")
     phi: Floats = _column("phase in radians", "angle")
-    of_SN: Floats = _column("F_SN over F_0: a margin above 1")
-    of_cr: Floats = _column("F_cr over F_0: a margin above 1")
+    of_SN: Floats = _column("{F_SN} over {F_0}: a margin above 1")
+    of_cr: Floats = _column("{F_cr} over {F_0}: a margin above 1")
     ratio: Floats = _column("largest acceleration of the mass over that of the pulse")
     transmissibility: Floats = _column("transmitted force over the exciting force")
     transmissibility_dB: Floats = _column("transmissibility in decibels")
     level_dB: Floats = _column("upper bound of transmissibility in decibels")
     kind: Codes = _column("kind of fold")
     stable: Codes = _column("1 where a state is stable")
-    at_rest: Codes = _column("1 where folds below the onset, or without it, end at Omega = 0")
-    onset: Codes = _column("status of the onset: why there is no F_SN")
+    at_rest: Codes = _column("1 where folds below the onset, or without it, end at {Omega} = 0")
+    onset: Codes = _column("status of the onset: why there is no {F_SN}")
     folds: Codes = _column("number of folds")
     motions: Codes = _column("number of stable motions")
     crosses: Codes = _column("1 where a fold lies between the previous row and this one")
@@ -138,7 +141,7 @@ class Columns(SameColumns):
 
     F_0: Floats = _column("forcing, the amplitude of the excitation", "amplitude")
     F_SN: Floats = _column("lowest forcing that has a fold (33)", "amplitude")
-    F_cr: Floats = _column("lowest forcing that reaches u_cr (34)", "amplitude")
+    F_cr: Floats = _column("lowest forcing that reaches {u_cr} (34)", "amplitude")
     Omega: Floats = _column("frequency", "frequency", "f")
     Omega_cr: Floats = _column("frequency at which it is reached", "frequency", "f_cr")
     Omega_max: Floats = _column("frequency of the largest displacement", "frequency", "f_max")
@@ -147,12 +150,12 @@ class Columns(SameColumns):
     Omega_0: Floats = _column("natural frequency of small motions about the centre", "frequency", "f_0")
     Omega_sticks: Floats = _column("frequency up to which the mass sticks", "frequency", "f_sticks")
     Omega_undecided: Floats = _column("frequencies at which the count is undecided", "frequency", "f_undecided")
-    u_max: Floats = _column("largest |u|", "length", "x_max")
+    u_max: Floats = _column("largest |{u}|", "length", "x_max")
     u_cr: Floats = _column("amplitude at which the springs detach", "length", "x_cr")
     u: Floats = _column("equilibrium position", "length", "x")
     u_end: Floats = _column("final displacement", "length", "x_end")
     u_rms: Floats = _column("root mean square of the displacement about its mean", "length", "x_rms")
-    u_margin: Floats = _column("half the 95 % confidence interval of u_rms", "length", "x_margin")
+    u_margin: Floats = _column("half the 95 % confidence interval of {u_rms}", "length", "x_margin")
     Omega_e: Floats = _column("natural frequency of the equivalent linear oscillator", "frequency", "f_e")
     tau: Floats = _column("times of the samples of a record", "time", "t")
     tau_A: Floats = _column("time of the largest deflection", "time", "t_A")

@@ -28,8 +28,8 @@ from slowflow_kernels.conventions import FoldKind, Status
 INNER = ("place", "point", "row", "instant")
 #: status of a design in a block that is not computed yet; none of the solvers'
 NOT_YET = -1
-UNITS = "dimensionless"
-#: units of what is not dimensionless
+DIMENSIONLESS = "dimensionless"
+#: units of what is not, besides quantities in SI units
 UNITS_OF = {"phi": "rad", "transmissibility_dB": "dB", "level_dB": "dB"}
 
 
@@ -54,24 +54,24 @@ class Ask:
     designs -- of the kind that is asked; a block's are these with other numbers
     mechanism -- theirs
     names   -- of the numbers that it is called with: the designs', and what the question takes in addition
-    options -- what else it takes
+    options -- what else it takes, by name
     tables  -- of the numbers those that have an axis of a table or a record, the last one
+    in_table -- the arguments and options by name, each with its name in the table of questions
     workers -- threads that share a block
     columns -- of the answer by name, remarks last
-    system  -- that answers it
-    made_by -- of the slowflow that is to answer
+    about   -- attributes of the whole map
     """
 
     designs: Any
     mechanism: Mechanism
     question: str
     names: tuple[str, ...]
-    options: tuple[tuple[str, Any], ...]
+    options: Mapping[str, Any]
     tables: tuple[str, ...]
+    in_table: Mapping[str, str]
     workers: int
     columns: Mapping[str, Column] = dataclasses.field(default_factory=dict)
-    system: str = ""
-    made_by: Mapping[str, str] = dataclasses.field(default_factory=dict)
+    about: Mapping[str, str] = dataclasses.field(default_factory=dict)
 
     @property
     def lengths(self) -> dict[str, int]:
@@ -81,20 +81,22 @@ class Ask:
     def __call__(self, *values: Any) -> tuple[npt.NDArray[Any], ...]:
         """The columns for numbers that broadcast. Raises RuntimeError where another slowflow runs."""
         here = made_by(self.mechanism)
-        if self.made_by != here:
-            raise RuntimeError(f"this process runs {here}, the map is made by {self.made_by}")
+        there = {name: self.about[name] for name in here}
+        if there != here:
+            raise RuntimeError(f"this process runs {here}, the map is made by {there}")
         answer = self.answer(*values)
         return tuple(getattr(answer, name) for name in self.columns)
 
     def answer(self, *values: Any) -> Any:
         """The answer of many designs, from numbers that broadcast."""
         numbers, row = dict(zip(self.names, values, strict=True)), QUESTIONS[self.question]
-        extra = {name: numbers.pop(name) for name in (*row.takes, *row.may) if name in numbers}
+        extra = {name: numbers.pop(name) for name in self.in_table if name in numbers}
         for name in extra:  # a table has a row at least
-            if row.argument_axes.get(name) == "row" and name not in self.tables:
+            if row.argument_axes.get(self.in_table[name]) == "row" and name not in self.tables:
                 extra[name] = np.asarray(extra[name])[..., np.newaxis]
-        arguments = {**dict.fromkeys(row.may), **extra, **dict(self.options)}
-        return self.designs._with_values(numbers)._ask(self.question, **arguments, workers=self.workers)
+        arguments = {self.in_table[name]: value for name, value in {**extra, **self.options}.items()}
+        designs = self.designs._with_values(numbers)
+        return designs._ask(self.question, **{**dict.fromkeys(row.may), **arguments}, workers=self.workers)
 
 
 def attributes(name: str, text: str, unit: str, kinds: type[IntEnum] | None) -> dict[str, Any]:

@@ -5,7 +5,6 @@ Dask arrays stay lazy until an answer is computed, block by block; `store` write
 
 from __future__ import annotations
 
-import dataclasses
 import pickle
 from collections.abc import Mapping
 from enum import IntEnum
@@ -15,14 +14,13 @@ from typing import TYPE_CHECKING, Any, Self
 import numpy as np
 
 from slowflow.answers.answer import optional
-from slowflow.answers.table import COLUMNS, QUESTIONS, ManyQuestions
+from slowflow.answers.table import COLUMNS, QUESTIONS, ManyQuestions, Question
 from slowflow.core import validate
 from slowflow.core.mechanism import Mechanism
 from slowflow.core.model import THROUGHOUT
-from slowflow.grid.block import INNER, UNITS, UNITS_OF, Ask, Column, attributes, made_by
+from slowflow.grid.block import DIMENSIONLESS, INNER, UNITS_OF, Ask, Column, attributes, made_by
 from slowflow.support.errors import Refused, WrongType
 from slowflow.support.immutable import Unchanging
-from slowflow.support.text import text
 from slowflow_kernels.domains import DAMPING, DISSIPATION
 
 if TYPE_CHECKING:
@@ -112,7 +110,7 @@ class Grid(Unchanging, ManyQuestions["xarray.Dataset", Any]):
                 f"the coordinate {nested.pop()} has several levels, which Zarr cannot store: call its .reset_index"
             )
         axes = sizes(values)
-        return filled(path, ask, self._about_map(ask), values, axes, blocks(values, axes))
+        return filled(path, ask, values, axes, blocks(values, axes))
 
     def _query(self, question: str, workers: int = 1, **arguments: Any) -> tuple[Ask, dict[str, Any]]:
         """Return a question as a function of a block's numbers, and all the numbers that it takes.
@@ -130,38 +128,47 @@ class Grid(Unchanging, ManyQuestions["xarray.Dataset", Any]):
         for name in arguments:
             if name not in (*entry.takes, *entry.may, *entry.options):
                 raise WrongType(f"{name} is not an argument of {question}")
-        options = tuple((name, arguments.pop(name, default)) for name, default in entry.options.items())
+        options = {name: arguments.pop(name, default) for name, default in self._defaults(entry).items()}
+        in_table = {self._shown(name): name for name in (*arguments, *options)}
         tables = (name for name, axis in entry.argument_axes.items() if axis == "row" or "tau" in arguments)
         axes = {self._shown(name): entry.argument_axes[name] for name in tables}
-        named = {self._shown(name): value for name, value in arguments.items()}
-        values = self._with(named, axes)
-        of_arguments = dict(zip(named, arguments, strict=True))
-        names = {shown: of_arguments.get(shown, shown) for shown in values}
-        inner = {shown: [dim for dim in value.dims if dim == axes.get(shown)] for shown, value in values.items()}
-        own = self.designs, self.mechanism, question, tuple(names.values()), options
-        ask = Ask(*own, tuple(names[shown] for shown, dims in inner.items() if dims), workers)
-        sizes_of_none = ([0, *(values[shown].sizes[dim] for dim in dims)] for shown, dims in inner.items())
-        none = ask.answer(*map(np.empty, sizes_of_none))
-        system, columns = self._columns(none)
-        of_designs = {dim for shown, value in values.items() for dim in value.dims if dim not in inner[shown]}
-        taken = {*INNER, "done", *columns} & {*of_designs, *values}
+        values = self._with({self._shown(name): value for name, value in arguments.items()}, axes)
+        inner = {name: [dim for dim in value.dims if dim == axes.get(name)] for name, value in values.items()}
+        tabled = tuple(name for name, dims in inner.items() if dims)
+        shown_options = {self._shown(name): value for name, value in options.items()}
+        own = self.designs, self.mechanism, question, tuple(values), shown_options, tabled, in_table, workers
+        sizes_of_none = ([0, *(values[name].sizes[dim] for dim in dims)] for name, dims in inner.items())
+        none = Ask(*own).answer(*map(np.empty, sizes_of_none))
+        ask = Ask(*own, self._columns(none), self._about_map(none))
+        of_designs = {dim for name, value in values.items() for dim in value.dims if dim not in inner[name]}
+        taken = {*INNER, "done", *ask.columns} & {*of_designs, *values}
         if taken:
             raise Refused(f"an axis or a parameter cannot be named {taken.pop()}: the answer has a column of that name")
-        ask = dataclasses.replace(ask, columns=columns, system=system, made_by=made_by(self.mechanism))
-        return ask, {shown: value.assign_attrs(self._about(names[shown])) for shown, value in values.items()}
+        return ask, {name: one.assign_attrs(self._about(in_table.get(name, name))) for name, one in values.items()}
 
-    def _columns(self, none: Any) -> tuple[str, dict[str, Column]]:
-        """The system that answers, and the columns of a map by name, from the answer about no designs."""
+    def _columns(self, none: Any) -> dict[str, Column]:
+        """The columns of a map by name, from the answer about no designs."""
         batch, found = getattr(none, "answer", none), {}
         for name, (axis, kind) in batch.question.layout(batch.system).items():
             shown = self._shown(name)
             length = getattr(none, shown).shape[-1] if axis else 1
             found[shown] = Column(axis, length, kind, self._about(name, batch.question.kinds))
-        return batch.system, found
+        return found
+
+    def _about_map(self, none: Any) -> dict[str, str]:
+        """The attributes of a whole map, from the answer about no designs."""
+        batch = getattr(none, "answer", none)
+        settings = {name: value for name, value in self.designs._settings.items() if value != THROUGHOUT}
+        own = {"mechanism": self.mechanism.name, "title": self.mechanism.title, **settings}
+        return {**own, "question": batch.question.name, "depth": batch.system, **made_by(self.mechanism)}
 
     def _about(self, name: str, kinds: type[IntEnum] | None = None) -> dict[str, Any]:
         """The attributes of a column, or of a number that a question takes."""
         return attributes(name, *self._meaning(name), kinds)
+
+    def _defaults(self, row: Question) -> Mapping[str, Any]:
+        """The options of a question."""
+        return row.options
 
     def _shown(self, name: str) -> str:
         """The name of a column or an argument in an answer."""
@@ -170,13 +177,7 @@ class Grid(Unchanging, ManyQuestions["xarray.Dataset", Any]):
     def _meaning(self, name: str) -> tuple[str, str]:
         """The meaning and the unit of a number."""
         known = {domain.name: domain.doc for domain in (*self.mechanism.design, *DAMPING, *DISSIPATION)}
-        return known.get(name) or text(COLUMNS[name].text), UNITS_OF.get(name, UNITS)
-
-    def _about_map(self, ask: Ask) -> dict[str, Any]:
-        """The attributes of a whole map."""
-        settings = {name: value for name, value in self.designs._settings.items() if value != THROUGHOUT}
-        own = {"mechanism": self.mechanism.name, "title": self.mechanism.title, **settings}
-        return {**own, "question": ask.question, "depth": ask.system, **ask.made_by}
+        return known.get(name) or COLUMNS[name].text, UNITS_OF.get(name, DIMENSIONLESS)
 
     def _with(self, arguments: Mapping[str, Any], axes: Mapping[str, str]) -> dict[str, Any]:
         """All numbers of a question; axes of tables and records by name."""
@@ -200,12 +201,13 @@ class Grid(Unchanging, ManyQuestions["xarray.Dataset", Any]):
             *values.values(),
             join="exact",
             dask="parallelized",
+            keep_attrs=False,
             input_core_dims=[[dim for dim in value.dims if dim in INNER] for value in values.values()],
             output_core_dims=[[column.axis] if column.axis else [] for column in ask.columns.values()],
             output_dtypes=[column.type for column in ask.columns.values()],
             dask_gufunc_kwargs={"output_sizes": ask.lengths},
         )
-        content = xarray.Dataset(dict(zip(ask.columns, found, strict=True)), attrs=self._about_map(ask))
+        content = xarray.Dataset(dict(zip(ask.columns, found, strict=True)), attrs=dict(ask.about))
         for name, column in ask.columns.items():
             content[name].attrs.update(column.attributes)
         return content.assign_coords(values)

@@ -36,17 +36,9 @@ FILL = {"f": np.nan, "i": 0, "u": 0}
 Block = tuple[int, ...]
 
 
-def filled(
-    path: Any,
-    ask: Ask,
-    about: Mapping[str, Any],
-    values: Mapping[str, Any],
-    sizes: dict[str, int],
-    blocks: dict[str, int],
-) -> Any:
+def filled(path: Any, ask: Ask, values: Mapping[str, Any], sizes: dict[str, int], blocks: dict[str, int]) -> Any:
     """The store at a path, begun or continued until every block is in it; a lazy Dataset.
 
-    about  -- attributes of the map
     values -- DataArrays by name, what `ask` is called with
     sizes  -- lengths of the axes, in their order
     blocks -- lengths of a block along each; a store that was begun keeps its own
@@ -54,9 +46,9 @@ def filled(
     if isinstance(path, Path) or (isinstance(path, str) and "://" not in path):
         path = os.path.abspath(path)  # means the same to every process; a store of Zarr, or an address, does as it is
     values = {name: value if _unread(value) else value.compute() for name, value in values.items()}
-    identity = _identity(ask, about, values, sizes)
-    own = {"query": json.dumps(identity), "blocks": json.dumps(blocks), "complete": 0}
-    group = _begun(path, identity, {**about, **own})
+    identity = _identity(ask, values, sizes)
+    about = {**ask.about, "query": json.dumps(identity), "blocks": json.dumps(blocks), "complete": 0}
+    group = _begun(path, identity, about)
     blocks = json.loads(group.attrs["blocks"])
     if DONE not in group:
         _prepare(path, ask, values, group, sizes, blocks)
@@ -88,21 +80,21 @@ def _reporter(group: Any) -> Callback:
 class Fill:
     """The task of one block, which pickles: computes its columns, writes them, ticks it off.
 
-    unread -- which of the parameters were not read at the start, by name, and their axes: they are written with the
-            columns
+    unread -- axes of the parameters that were not read at the start, by name: they are written with the columns
     """
 
     path: Any
     ask: Ask
-    unread: dict[str, tuple[int, tuple[int, ...]]]
+    unread: dict[str, tuple[int, ...]]
 
     def __call__(self, block: Block, region: tuple[slice, ...], *values: Any) -> None:
         """The block with this number, in this region of the map; values have all its axes, some of length 1."""
         group = zarr.open_group(self.path, mode="r+")
         for name, column in zip(self.ask.columns, self.ask(*values), strict=True):
             group[name][region] = column
-        for name, (place, axes) in self.unread.items():
-            value = values[place].reshape([values[place].shape[k] for k in axes])
+        by_name = dict(zip(self.ask.names, values, strict=True))
+        for name, axes in self.unread.items():
+            value = by_name[name].reshape([by_name[name].shape[k] for k in axes])
             group[name][tuple(region[k] for k in axes)] = value
         group[DONE][block] = True
 
@@ -112,11 +104,7 @@ def _missing(
 ) -> Iterator[Any]:
     """The tasks of the blocks that are not ticked off."""
     dims = list(sizes)
-    unread = {
-        name: (place, tuple(map(dims.index, _dims(value, sizes))))
-        for place, (name, value) in enumerate(values.items())
-        if _unread(value)
-    }
+    unread = {name: tuple(map(dims.index, _dims(value, sizes))) for name, value in values.items() if _unread(value)}
     task = dask.delayed(Fill(path, ask, unread), pure=False, traverse=False)
     pieces = [_part_of(value, sizes, blocks) for value in values.values()]
     for block in np.argwhere(~np.asarray(group[DONE][...])).tolist():
@@ -215,14 +203,12 @@ def _prepare(
     )
 
 
-def _identity(
-    ask: Ask, about: Mapping[str, Any], values: Mapping[str, Any], sizes: Mapping[str, int]
-) -> dict[str, Any]:
+def _identity(ask: Ask, values: Mapping[str, Any], sizes: Mapping[str, int]) -> dict[str, Any]:
     """What makes a map this one, by name: question, version, axes, and each parameter by its content.
 
     Of a parameter that is not read the name that dask gives it stands for the content.
     """
-    found: dict[str, Any] = {**about, **dict(ask.options), "axes": list(sizes.items())}
+    found: dict[str, Any] = {**ask.about, **ask.options, "axes": list(sizes.items())}
     # a record that was changed keeps its name
     found["record"] = hashlib.sha256(pickle.dumps(ask.mechanism)).hexdigest()[:16]
     for name, value in values.items():

@@ -19,24 +19,35 @@ PLAIN = {column.si: column.name for column in QUANTITIES.values() if column.si}
 REMARKS = {"f": range_checks.of_frequency, "duration": range_checks.of_duration}
 
 
+def window_in_hertz(f: Any) -> tuple[float, float]:
+    """A window of frequencies in Hz."""
+    low, high = validate.pair("f", f, "of frequencies (low, high)")
+    return validate.window("f", (si("f[0]", low, "Hz"), si("f[1]", high, "Hz")))
+
+
 def window(scales: Scales, f: Any) -> tuple[float, float]:
     """Make a window of frequencies dimensionless."""
-    low, high = validate.pair("f", f, "of frequencies (low, high)")
-    low, high = validate.window("f", (si("f[0]", low, "Hz"), si("f[1]", high, "Hz")))
+    low, high = window_in_hertz(f)
     return low / scales.sizes["frequency"], high / scales.sizes["frequency"]
 
 
-def density(scales: Scales, psd: Any, unit: str) -> tuple[str, tuple[Floats, Floats]]:
-    """The excitation that a spectral density is of, and it made dimensionless, its frequencies too."""
+def measured_density(psd: Any, unit: str) -> tuple[tuple[Floats, Floats], str]:
+    """The frequencies of a spectral density in Hz and its values, and their unit."""
     if isinstance(psd, Columns):
         if missing := {"f", "G"} - psd.keys():
             raise Refused(f"psd needs the columns f and G: {min(missing)} is missing")
         unit, psd = psd.units.get("G", unit), (psd["f"], psd["G"])
-    of_unit, kind = DENSITIES[validate.choice("unit", unit, tuple(DENSITIES))]
+    validate.choice("unit", unit, tuple(DENSITIES))
     f, G = validate.two_rows("psd", psd, "frequencies in Hz and densities")
+    return (validate.positive_array("f", si("f", f, "Hz")), validate.positive_array("G", G)), unit
+
+
+def density(scales: Scales, psd: Any, unit: str) -> tuple[str, tuple[Floats, Floats]]:
+    """The excitation that a spectral density is of, and it made dimensionless, its frequencies too."""
+    (f, G), unit = measured_density(psd, unit)
+    of_unit, kind = DENSITIES[unit]
     sizes = scales.sizes
-    at = validate.positive_array("f", si("f", f, "Hz")) / sizes["frequency"]
-    return kind, (at, validate.positive_array("G", G) * (of_unit / sizes[kind]) ** 2 * sizes["frequency"])
+    return kind, (f / sizes["frequency"], G * (of_unit / sizes[kind]) ** 2 * sizes["frequency"])
 
 
 class TakesAmplitude:

@@ -12,7 +12,7 @@ import inspect
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING, Any, cast, overload
 
 import numpy as np
 
@@ -38,6 +38,7 @@ if TYPE_CHECKING:
     from slowflow.answers.quantities import Number, Numbers, Window
     from slowflow.averaged import checks
     from slowflow.averaged.plan import Plan
+    from slowflow.core.mechanism import Unlabelled
     from slowflow.off_centre.answers import RestPositions
     from slowflow.oscillators.oscillator import Oscillator
     from slowflow.oscillators.physical_designs import PhysicalDesigns
@@ -82,19 +83,25 @@ class Physical(TakesAmplitude):
         """Return a copy with some of its arguments changed, by name."""
         return self._kind.physical(**self._changed(changes))
 
-    def many(self, **changes: Any) -> PhysicalDesigns:
+    @overload
+    def many(self, **changes: Unlabelled | str) -> PhysicalDesigns: ...
+    @overload
+    def many(self, **changes: Any) -> Any: ...
+    def many(self, **changes: Any) -> Any:
         """Make a batch of mounts: some of the data are replaced by arrays that broadcast, the others are this mount's.
 
         Parameters
         ----------
         **changes : array_like
             Data by the names of `Isolator.physical` or `Duffing.physical`, in SI units; `mounts`, `contact`, `force`
-            and `excitation` are the same for all mounts.
+            and `excitation` are the same for all mounts. Arrays of xarray or dask make a map over named axes, which
+            may be larger than memory.
 
         Returns
         -------
-        PhysicalDesigns
-            The same questions, with arrays as arguments; a mount without a result has a status.
+        PhysicalDesigns or PhysicalGrid
+            The same questions, with arrays as arguments; a mount without a result has a status. Of a map, answers are
+            xarray Datasets.
 
         Raises
         ------
@@ -110,7 +117,12 @@ class Physical(TakesAmplitude):
 
         sheet = self._changed(changes)
         validate.known_arguments(self._kind.physical, sheet, tuple(inspect.signature(self._kind.physical).parameters))
-        mounts = PhysicalDesigns(self._kind, sheet, hasattr(self.oscillator, "first"))
+        make: Any = PhysicalDesigns
+        if any(validate.is_labelled(getattr(value, "magnitude", value)) for value in changes.values()):
+            from slowflow.oscillators.physical_grid import PhysicalGrid
+
+            make = PhysicalGrid._of
+        mounts = make(self._kind, sheet, hasattr(self.oscillator, "first"))
         range_checks.warn(mounts._range_checks(), stacklevel=2)
         return mounts
 

@@ -12,7 +12,7 @@ import re
 from collections.abc import Callable, Iterator, Mapping
 from operator import attrgetter
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Generic
 
 import numpy as np
 import numpy.typing as npt
@@ -20,7 +20,7 @@ import numpy.typing as npt
 from slowflow.answers.answer import frozen, same
 from slowflow.answers.gradient import Gradient
 from slowflow.answers.quantities import BASE, SHEET, SI, ManyScales, Quantities, Scales, si
-from slowflow.answers.table import QUANTITIES, QUESTIONS, ManyQuestions, Question
+from slowflow.answers.table import QUANTITIES, QUESTIONS, Found, ManyQuestions, Question
 from slowflow.averaged.batches import Batch, in_dataset, in_rows, spanned
 from slowflow.core import validate
 from slowflow.core.mechanism import Floats
@@ -29,7 +29,7 @@ from slowflow.oscillators.arguments import PLAIN, REMARKS, TakesAmplitude, densi
 from slowflow.support.immutable import Unchanging
 
 if TYPE_CHECKING:
-    from typing import Protocol, Unpack
+    from typing import Protocol, Self, Unpack
 
     import xarray
     from matplotlib.axes import Axes
@@ -40,19 +40,19 @@ if TYPE_CHECKING:
     from slowflow.oscillators.measurements import Columns
     from slowflow.second.many import SecondDesigns
 
-    # the questions as a type checker knows them, by their arguments: `_question` makes them of the table
-    class OfMounts(Protocol):
-        def __call__(self, *, workers: int = 1) -> ManyQuantities: ...
+    # the questions as a type checker knows them, by their arguments: `_method` makes them of the table
+    class OfMounts(Protocol[Found]):
+        def __call__(self, *, workers: int = 1) -> Found: ...
 
-    class Several(Protocol):
-        def __call__(self, *, max_count: int = ..., workers: int = 1) -> ManyQuantities: ...
+    class Several(Protocol[Found]):
+        def __call__(self, *, max_count: int = ..., workers: int = 1) -> Found: ...
 
-    class AtAmplitudes(Protocol):
+    class AtAmplitudes(Protocol[Found]):
         def __call__(
             self, amplitude: Numbers | None = None, /, *, workers: int = 1, **at: Unpack[Amplitude[Numbers]]
-        ) -> ManyQuantities: ...
+        ) -> Found: ...
 
-    class SeveralAtAmplitudes(Protocol):
+    class SeveralAtAmplitudes(Protocol[Found]):
         def __call__(
             self,
             amplitude: Numbers | None = None,
@@ -61,9 +61,9 @@ if TYPE_CHECKING:
             max_count: int = ...,
             workers: int = 1,
             **at: Unpack[Amplitude[Numbers]],
-        ) -> ManyQuantities: ...
+        ) -> Found: ...
 
-    class Levels(Protocol):
+    class Levels(Protocol[Found]):
         def __call__(
             self,
             amplitude: Numbers | None = None,
@@ -72,9 +72,9 @@ if TYPE_CHECKING:
             level_dB: Numbers | None = None,
             workers: int = 1,
             **at: Unpack[Amplitude[Numbers]],
-        ) -> ManyQuantities: ...
+        ) -> Found: ...
 
-    class Proofs(Protocol):
+    class Proofs(Protocol[Found]):
         def __call__(
             self,
             amplitude: Numbers | None = None,
@@ -83,9 +83,9 @@ if TYPE_CHECKING:
             f: Numbers | None = None,
             workers: int = 1,
             **at: Unpack[Amplitude[Numbers]],
-        ) -> ManyQuantities: ...
+        ) -> Found: ...
 
-    class Curves(Protocol):
+    class Curves(Protocol[Found]):
         def __call__(
             self,
             amplitude: Numbers | None = None,
@@ -96,17 +96,17 @@ if TYPE_CHECKING:
             max_count: int = 6,
             workers: int = 1,
             **at: Unpack[Amplitude[Numbers]],
-        ) -> ManyQuantities: ...
+        ) -> Found: ...
 
-    class AtTones(Protocol):
-        def __call__(self, *, f: Numbers, workers: int = 1, **at: Unpack[Amplitude[Numbers]]) -> ManyQuantities: ...
+    class AtTones(Protocol[Found]):
+        def __call__(self, *, f: Numbers, workers: int = 1, **at: Unpack[Amplitude[Numbers]]) -> Found: ...
 
-    class SeveralAtTones(Protocol):
+    class SeveralAtTones(Protocol[Found]):
         def __call__(
             self, *, f: Numbers, max_count: int = ..., workers: int = 1, **at: Unpack[Amplitude[Numbers]]
-        ) -> ManyQuantities: ...
+        ) -> Found: ...
 
-    class Records(Protocol):
+    class Records(Protocol[Found]):
         def __call__(
             self,
             *,
@@ -115,22 +115,22 @@ if TYPE_CHECKING:
             t: Numbers | None = None,
             after: Number | None = None,
             workers: int = 1,
-        ) -> ManyQuantities: ...
+        ) -> Found: ...
 
-    class Pulses(Protocol):
-        def __call__(self, *, acceleration: Numbers, duration: Numbers, workers: int = 1) -> ManyQuantities: ...
+    class Pulses(Protocol[Found]):
+        def __call__(self, *, acceleration: Numbers, duration: Numbers, workers: int = 1) -> Found: ...
 
-    class Vibration(Protocol):
+    class Vibration(Protocol[Found]):
         def __call__(
             self, *, psd: tuple[Numbers, Numbers] | Columns, unit: str = "g^2/Hz", max_count: int = 3, workers: int = 1
-        ) -> ManyQuantities: ...
+        ) -> Found: ...
 
 else:  # whose columns are read by name
     Many = object
 
 #: data that are the same for all mounts
 SETTINGS = ("mounts", "contact", "force", "excitation")
-NO_MAPS = "many mounts take plain arrays, maps over named axes are made by `Isolator.many` or `Duffing.many`"
+NO_MAPS = "mounts over named axes or in blocks are made by `mount.many`, of one of their data that is such an array"
 #: dimensionless names in docstrings, as they are in SI units
 IN_SI = {"F_0": "F", **{plain: shown for shown, plain in PLAIN.items()}}
 #: a density that has no customary unit
@@ -228,7 +228,44 @@ class ManyQuantities(Quantities, Many):
         return pictures.design_map(ax, *spanned(self.numbers, x, y, of, values))
 
 
-class PhysicalDesigns(TakesAmplitude, Unchanging):
+class PhysicalQuestions(TakesAmplitude, Generic[Found]):
+    """The questions about many mounts in SI units, with arrays as arguments."""
+
+    detachment: OfMounts[Found]
+    saddle_node_onset: OfMounts[Found]
+    at_rest: OfMounts[Found]
+    rest: Several[Found]
+    saddle_nodes: SeveralAtAmplitudes[Found]
+    hysteresis: SeveralAtAmplitudes[Found]
+    peak: AtAmplitudes[Found]
+    margins: AtAmplitudes[Found]
+    isolation: Levels[Found]
+    certify: Proofs[Found]
+    frequency_response: Curves[Found]
+    amplitudes: SeveralAtTones[Found]
+    spectrum: AtTones[Found]
+    transient: Records[Found]
+    shock_spectrum: Pulses[Found]
+    random: Vibration[Found]
+
+    if TYPE_CHECKING:
+
+        def _ask(self, question: str, /, **arguments: Any) -> Found:
+            """The answer to a question, from arguments named as in the table, in SI units."""
+
+    def _bound(self, question: str, /, *arguments: Any, **named: Any) -> tuple[Self, dict[str, Any]]:
+        """The mounts with this excitation, and the arguments of a question, named as in the table."""
+        (bound := _signature(question).bind(self, *arguments, **named)).apply_defaults()
+        known = {PLAIN.get(name, name): value for name, value in bound.arguments.items() if value is not None}
+        mounts, amplitude, at = known.pop("self"), known.pop("amplitude", None), known.pop("at", None)
+        if at is not None:
+            mounts, known["F_0"] = mounts._excited(amplitude, at)
+        if "psd" in known:
+            known["psd"] = known["psd"], known.pop("unit")
+        return mounts, known
+
+
+class PhysicalDesigns(PhysicalQuestions[ManyQuantities], Unchanging):
     """Many mounts in SI units: data and arguments are arrays that broadcast, answers are `ManyQuantities`.
 
     Made by `mount.many(k_h=..., m=...)`. The questions are those of the mount that `Isolator.many` has too, with the
@@ -241,30 +278,12 @@ class PhysicalDesigns(TakesAmplitude, Unchanging):
     one after another if they share a window of frequencies, a spectral density or a duration in seconds.
 
     values -- the data of the mounts by name, in SI units
-    settings -- data that are the same for all
     """
 
     values: Mapping[str, Any]
-    settings: Mapping[str, Any]
+    _settings: Mapping[str, Any]
     second: bool
     _kind: Any
-
-    detachment: OfMounts
-    saddle_node_onset: OfMounts
-    at_rest: OfMounts
-    rest: Several
-    saddle_nodes: SeveralAtAmplitudes
-    hysteresis: SeveralAtAmplitudes
-    peak: AtAmplitudes
-    margins: AtAmplitudes
-    isolation: Levels
-    certify: Proofs
-    frequency_response: Curves
-    amplitudes: SeveralAtTones
-    spectrum: AtTones
-    transient: Records
-    shock_spectrum: Pulses
-    random: Vibration
 
     def __init__(self, kind: Any, sheet: Mapping[str, Any], second: bool = False) -> None:
         known = {name: value for name, value in sheet.items() if value is not None}
@@ -276,21 +295,21 @@ class PhysicalDesigns(TakesAmplitude, Unchanging):
         values = {name: si(name, value, SHEET[name]) for name, value in known.items()}
         values = {name: _array(name, value) for name, value in values.items()}
         validate.common_shape(values)
-        self.__dict__.update(_kind=kind, values=values, settings=settings, second=second)
+        self.__dict__.update(_kind=kind, values=values, _settings=settings, second=second)
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, PhysicalDesigns):
             return NotImplemented
-        settings = attrgetter("_kind", "settings", "second")
+        settings = attrgetter("_kind", "_settings", "second")
         return settings(self) == settings(other) and same(self.values, other.values)
 
     def __hash__(self) -> int:
-        return hash((self._kind, self.second, *self.settings.items(), *sorted(self.values)))
+        return hash((self._kind, self.second, *self._settings.items(), *sorted(self.values)))
 
     @functools.cached_property
     def dimensionless(self) -> tuple[ManyScales, dict[str, Any]]:
         """The scales, and the dimensionless numbers of the designs by name."""
-        settings = {name: word for name, word in self.settings.items() if name in ("mounts", "excitation")}
+        settings = {name: word for name, word in self._settings.items() if name in ("mounts", "excitation")}
         damping = "c" if "c" in self.values else "zeta"
         # under a load m is no scale: it must be a mass all the same
         sheet = {**self.values, "m": np.where(self.values["m"] > 0, self.values["m"], np.nan)}
@@ -306,7 +325,7 @@ class PhysicalDesigns(TakesAmplitude, Unchanging):
     def designs(self) -> Designs | SecondDesigns:
         """The dimensionless designs."""
         scales, numbers = self.dimensionless
-        settings = {name: word for name, word in self.settings.items() if name in ("contact", "force")}
+        settings = {name: word for name, word in self._settings.items() if name in ("contact", "force")}
         found: Designs = self._kind.many(**numbers, **settings, excitation=scales.of_oscillator)
         return found.second_approximation if self.second else found
 
@@ -314,31 +333,36 @@ class PhysicalDesigns(TakesAmplitude, Unchanging):
         """Remarks on data that look as if they were in another unit, of isolators."""
         if "k_h" in self.values:
             zeta = self.dimensionless[1]["zeta"]
-            yield from range_checks.of_mount(self.values, zeta, self.settings.get("mounts", 1))
+            yield from range_checks.of_mount(self.values, zeta, self._settings.get("mounts", 1))
 
     @property
     def shape(self) -> tuple[int, ...]:
         """Shape of the mounts, to which the data broadcast."""
         return validate.common_shape(dict(self.values))
 
+    def _with_values(self, values: Mapping[str, Any]) -> PhysicalDesigns:
+        """The same kind of mounts with other data."""
+        return PhysicalDesigns(self._kind, {**values, **self._settings}, self.second)
+
     @property
     def second_approximation(self) -> PhysicalDesigns:
         """The same questions with the higher harmonics of force and friction."""
-        return PhysicalDesigns(self._kind, {**self.values, **self.settings}, second=True)
+        return PhysicalDesigns(self._kind, {**self.values, **self._settings}, second=True)
 
     @functools.cached_property
     def _by_other_base(self) -> PhysicalDesigns:
-        sheet = {**self.values, **self.settings, "excitation": self._other_base}
+        sheet = {**self.values, **self._settings, "excitation": self._other_base}
         return PhysicalDesigns(self._kind, sheet, self.second)
 
     def _ask(self, question: str, /, **arguments: Any) -> ManyQuantities:
-        """The answer to a question of the table, from a mount's arguments in SI units; F_0 is the amplitude."""
-        row, method = QUESTIONS[question], getattr(self.designs, question)  # or the reason why there is none
-        one = self._one_scale() if any(_is_of_all(row, name) for name in arguments) else self.scales
-        if one is None:
-            return self._quantities(self._by_scale(row, arguments), arguments)
-        at = {PLAIN.get(name, name): self._plain(row, name, arguments, one) for name in arguments if name != "unit"}
+        arguments = {name: value for name, value in arguments.items() if value is not None}
+        row = QUESTIONS[question]
         with self.scales.in_these_terms():
+            method = getattr(self.designs, question)  # or the reason why there is none
+            one = self._one_scale() if any(_is_of_all(row, name) for name in arguments) else self.scales
+            if one is None:
+                return self._quantities(self._by_scale(row, arguments), arguments)
+            at = {name: self._plain(row, name, arguments, one) for name in arguments}
             return self._quantities(method(**at), arguments)
 
     def _one_scale(self) -> Scales | None:
@@ -352,33 +376,32 @@ class PhysicalDesigns(TakesAmplitude, Unchanging):
 
     def _plain(self, row: Question, name: str, arguments: Mapping[str, Any], one: Scales) -> Any:
         """An argument, made dimensionless; by the scales of one mount where it is that of all."""
-        plain, value = PLAIN.get(name, name), arguments[name]
-        shown, kind = self.scales.kind(plain)
+        value, (shown, kind) = arguments[name], self.scales.kind(name)
         if _is_of_all(row, name):
-            if plain == "psd":
-                return density(one, value, arguments["unit"])[1]
+            if name == "psd":
+                return density(one, *value)[1]
             return window(one, value) if kind == "frequency" else si(shown, value, SI[kind]) / one.sizes[kind]
         if not kind:
             return value
-        axis = row.argument_axes.get(plain)
-        scales = self.scales.by_entry if axis == "row" or (axis and "t" in arguments) else self.scales
+        axis = row.argument_axes.get(name)
+        scales = self.scales.by_entry if axis == "row" or (axis and "tau" in arguments) else self.scales
         array, sizes = self._in_si(name, value), scales.sizes
         validate.common_shape({"mounts": np.asarray(sizes[kind]), shown: array})
         with np.errstate(all="ignore"):
             found = array / sizes[kind]
-        if name in REMARKS:
-            range_checks.warn(REMARKS[name](array, sizes["frequency"]), stacklevel=5)
+        if shown in REMARKS:
+            range_checks.warn(REMARKS[shown](array, sizes["frequency"]), stacklevel=5)
         return found
 
     def _in_si(self, name: str, value: Any) -> npt.NDArray[Any]:
         """Values of an argument, in SI units."""
-        shown, kind = self.scales.kind(PLAIN.get(name, name))
+        shown, kind = self.scales.kind(name)
         return _array(shown, si(shown, value, SI[kind]) if kind else value)
 
     def _by_scale(self, row: Question, arguments: Mapping[str, Any]) -> Batch:
         """The answers of the mounts of each scale, where an argument is that of all of them in SI units."""
-        own = [name for name in arguments if PLAIN.get(name, name) in (*row.takes, *row.may) and name != "psd"]
-        records = {name for name in own if "t" in arguments and PLAIN.get(name, name) in row.argument_axes}
+        own = [name for name in arguments if name in (*row.takes, *row.may)]
+        records = {name for name in own if "tau" in arguments and name in row.argument_axes}
         values = {**self.values, **{name: self._in_si(name, arguments[name]) for name in own}}
         shape = validate.common_shape({name: one[..., 0] if name in records else one for name, one in values.items()})
         rows = {
@@ -391,15 +414,12 @@ class PhysicalDesigns(TakesAmplitude, Unchanging):
         columns: dict[str, Any] = {}
         for some in np.split(order, np.flatnonzero(np.diff(scale.ravel()[order])) + 1):
             at = np.unravel_index(some, shape)
-            mounts = PhysicalDesigns(
-                self._kind, {**{name: rows[name][at] for name in self.values}, **self.settings}, self.second
-            )
+            mounts = self._with_values({name: rows[name][at] for name in self.values})
             found = mounts._ask(row.name, **{**arguments, **{name: rows[name][at] for name in own}}).answer
             for name, column in {**found._values, "remarks": found.remarks}.items():
                 columns.setdefault(name, np.empty((*shape, *column.shape[1:]), column.dtype))[at] = column
         remarks, designs = columns.pop("remarks"), getattr(self.designs, "first", self.designs)
-        plain = {PLAIN.get(name, name): self._plain(row, name, arguments, self.scales) for name in own}
-        plain = {name: plain[name] for name in found.arguments}
+        plain = {name: self._plain(row, name, arguments, self.scales) for name in found.arguments}
         answer: Batch = type(found)(row.name, columns, designs, plain, found.system, remarks=remarks)
         return answer
 
@@ -415,9 +435,7 @@ class PhysicalDesigns(TakesAmplitude, Unchanging):
         lift: Any = (..., np.newaxis) if "row" in inner.values() else ...
         numbers = {name: value[lift] for name, value in self.values.items()}
         for name in answer.arguments:
-            shown = scales.symbol(name)
-            of_mounts = "F_0" if name == "F_0" else shown
-            numbers[shown] = self._in_si(of_mounts, arguments[of_mounts])
+            numbers[scales.symbol(name)] = self._in_si(name, arguments[name])
         return ManyQuantities(values, units, answer, scales=scales, numbers=numbers)
 
 
@@ -430,8 +448,7 @@ def _array(name: str, value: Any) -> npt.NDArray[Any]:
 
 def _is_of_all(row: Question, name: str) -> bool:
     """Whether an argument with a unit is the same for all mounts, as a window of frequencies is."""
-    plain = PLAIN.get(name, name)
-    return plain in row.options and (plain == "psd" or (plain in QUANTITIES and QUANTITIES[plain].kind != ""))
+    return name in row.options and (name == "psd" or (name in QUANTITIES and QUANTITIES[name].kind != ""))
 
 
 def _with_unit(name: str) -> str:
@@ -441,10 +458,10 @@ def _with_unit(name: str) -> str:
     return f".{column.si or name} in {unit}" if unit else f".{column.si or name}"
 
 
-def _question(name: str) -> Callable[..., Any]:
-    """The method of a question: that about dimensionless designs, with the names of arguments that a mount has."""
-    of_designs = getattr(ManyQuestions, name)
-    first, *others = inspect.signature(of_designs).parameters.values()
+@functools.cache
+def _signature(name: str) -> inspect.Signature:
+    """Of a question: that about dimensionless designs, with the names of arguments that a mount has."""
+    first, *others = inspect.signature(getattr(ManyQuestions, name)).parameters.values()
     own, letters = [first.replace(kind=first.POSITIONAL_ONLY)], []
     for one in others:
         if one.name == "F_0":
@@ -461,26 +478,26 @@ def _question(name: str) -> Callable[..., Any]:
             if shown := QUANTITIES[one.name].si if one.name in QUANTITIES else "":
                 one = one.replace(name=shown, default=one.empty if one.default is one.empty else None)
             own.append(one)
-    signature = inspect.Signature([*own, *letters], return_annotation="ManyQuantities")
+    return inspect.Signature([*own, *letters], return_annotation="ManyQuantities")
 
-    def ask(*arguments: Any, **named: Any) -> ManyQuantities:
-        (bound := signature.bind(*arguments, **named)).apply_defaults()
-        known = {name: value for name, value in bound.arguments.items() if value is not None}
-        mounts, amplitude, at = known.pop("self"), known.pop("amplitude", None), known.pop("at", {})
-        if letters:
-            mounts, known["F_0"] = mounts._excited(amplitude, at)
-        answer: ManyQuantities = mounts._ask(name, **known)
-        return answer
 
+def _method(name: str) -> Callable[..., Any]:
+    """The method of a question."""
+
+    def ask(self: PhysicalQuestions[Found], /, *arguments: Any, **named: Any) -> Found:
+        mounts, known = self._bound(name, *arguments, **named)
+        return mounts._ask(name, **known)
+
+    of_designs = getattr(ManyQuestions, name)
     functools.update_wrapper(ask, of_designs)
     columns = dict.fromkeys(one for of_system in QUESTIONS[name].columns.values() for one in of_system)
     summary, _, _ = (of_designs.__doc__ or "").partition(": .")
     in_si = re.sub(r"\w+", lambda word: IN_SI.get(word[0], word[0]), summary)
     ask.__doc__ = f"{in_si}: {', '.join(map(_with_unit, columns))}."
-    ask.__qualname__ = f"{PhysicalDesigns.__qualname__}.{name}"
-    ask.__dict__["__signature__"] = signature
+    ask.__qualname__ = f"{PhysicalQuestions.__qualname__}.{name}"
+    ask.__dict__["__signature__"] = _signature(name)
     return ask
 
 
 for _name in QUESTIONS:
-    setattr(PhysicalDesigns, _name, _question(_name))
+    setattr(PhysicalQuestions, _name, _method(_name))
