@@ -87,7 +87,7 @@ def measure(count: int, rounds: int) -> dict[str, dict[str, Result]]:
     methods: dict[str, Method] = {
         OURS: installed,
         "numpy.roots loop": numpy_roots_loop,
-        "companion eigenvalues, batched": companion_eigenvalues,
+        "batched companion eigenvalues": companion_eigenvalues,
     }
     found: dict[str, dict[str, Result]] = {}
     with tempfile.TemporaryDirectory() as folder:

@@ -149,7 +149,7 @@ larger of the two found. Each tool runs in an environment of its own; `benchmark
     ),
     "exact": Section(
         "The equation of motion",
-        """Exact motions of Table 1 with F_0 = 0.04 (`python -m benchmarks exact`), by the processor's time,
+        """Exact motions of Table 1 with F_0 = 0.04 (`python -m benchmarks exact`), in processor time,
 compared with averaging and the second approximation.""",
         MEASURED,
     ),
@@ -169,7 +169,7 @@ is averaged by quadrature. Modules and templates are already compiled to bytecod
     "grid": Section(
         "Maps in stores",
         """Designs of the isolator over r, preload and mu, written block by block into a Zarr store on a local disk by
-one thread (`python -m benchmarks grid`), each map by a process of its own. Time is the processor's. Before:
+one thread (`python -m benchmarks grid`), each map by a process of its own. Time is processor time. Before:
 memory before the first question. The peak grows with the size of a block, not with that of the map.""",
         {
             "question": itemgetter("question"),
@@ -189,7 +189,7 @@ of the README, and the same again when everything is built. Packages come from p
         {
             "command": itemgetter("step"),
             "time": in_unit("seconds"),
-            "processor's": in_unit("processor"),
+            "processor time": in_unit("processor"),
             ".venv": in_unit("disk", "MB"),
         },
     ),

@@ -198,7 +198,7 @@ def batches(size: Size) -> list[Row]:
             Row(
                 f"{title}, {count} random designs, one core",
                 *(count / answers[f"random | {batch}"]["seconds"], "per second"),
-                f"Table 1 with λ from 2 to 4 {rate(count, answers[f'Table 1 | {batch}']['seconds'])}",
+                f"Table 1 with λ from 2 to 4: {rate(count, answers[f'Table 1 | {batch}']['seconds'])}",
                 f"{error:.1e} relative, {len(exact)} certified isolators",
             )
         )
