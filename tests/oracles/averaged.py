@@ -555,7 +555,7 @@ class Oscillator:
         return points
 
     def ask(self, F_0: Number, frequencies: Sequence[Number]) -> None:
-        """Told of questions to come by those that have to find a range for them first."""
+        """Prepare for questions: for those that have to find a range of amplitudes first."""
 
     # ---- what is asked ----------------------------------------------------------------------------------------------
 

@@ -38,7 +38,7 @@ def made_by(mechanism: Mechanism) -> dict[str, str]:
     return {"slowflow": __version__, "compiled": str(backend.record_of(mechanism) is not None)}
 
 
-class Column(NamedTuple):
+class MapColumn(NamedTuple):
     """A column of a map: its axis after those of the designs, "" for none, with its length; type and attributes."""
 
     axis: str
@@ -51,15 +51,15 @@ class Column(NamedTuple):
 class Ask:
     """A question about designs, asked block by block.
 
-    designs -- of the kind that is asked; a block's are these with other numbers
+    designs   -- of the kind that is asked; a block's are these with other numbers
     mechanism -- theirs
-    names   -- of the numbers that it is called with: the designs', and what the question takes in addition
-    options -- what else it takes, by name
-    tables  -- of the numbers those that have an axis of a table or a record, the last one
-    in_table -- the arguments and options by name, each with its name in the table of questions
-    workers -- threads that share a block
-    columns -- of the answer by name, remarks last
-    about   -- attributes of the whole map
+    names     -- of the numbers that it is called with: the designs', and what the question takes in addition
+    options   -- what else it takes, by name
+    tables    -- of the numbers those that have an axis of a table or a record, the last one
+    plain     -- the dimensionless names of arguments and options, by name
+    workers   -- threads that share a block
+    columns   -- of the answer by name, remarks last
+    about     -- attributes of the whole map
     """
 
     designs: Any
@@ -68,9 +68,9 @@ class Ask:
     names: tuple[str, ...]
     options: Mapping[str, Any]
     tables: tuple[str, ...]
-    in_table: Mapping[str, str]
+    plain: Mapping[str, str]
     workers: int
-    columns: Mapping[str, Column] = dataclasses.field(default_factory=dict)
+    columns: Mapping[str, MapColumn] = dataclasses.field(default_factory=dict)
     about: Mapping[str, str] = dataclasses.field(default_factory=dict)
 
     @property
@@ -90,11 +90,11 @@ class Ask:
     def answer(self, *values: Any) -> Any:
         """The answer of many designs, from numbers that broadcast."""
         numbers, row = dict(zip(self.names, values, strict=True)), QUESTIONS[self.question]
-        extra = {name: numbers.pop(name) for name in self.in_table if name in numbers}
+        extra = {name: numbers.pop(name) for name in self.plain if name in numbers}
         for name in extra:  # a table has a row at least
-            if row.argument_axes.get(self.in_table[name]) == "row" and name not in self.tables:
+            if row.argument_axes.get(self.plain[name]) == "row" and name not in self.tables:
                 extra[name] = np.asarray(extra[name])[..., np.newaxis]
-        arguments = {self.in_table[name]: value for name, value in {**extra, **self.options}.items()}
+        arguments = {self.plain[name]: value for name, value in {**extra, **self.options}.items()}
         designs = self.designs._with_values(numbers)
         return designs._ask(self.question, **{**dict.fromkeys(row.may), **arguments}, workers=self.workers)
 

@@ -18,7 +18,7 @@ from slowflow.answers.table import COLUMNS, QUESTIONS, ManyQuestions, Question
 from slowflow.core import validate
 from slowflow.core.mechanism import Mechanism
 from slowflow.core.model import THROUGHOUT
-from slowflow.grid.block import DIMENSIONLESS, INNER, UNITS_OF, Ask, Column, attributes, made_by
+from slowflow.grid.block import DIMENSIONLESS, INNER, UNITS_OF, Ask, MapColumn, attributes, made_by
 from slowflow.support.errors import Refused, WrongType
 from slowflow.support.immutable import Unchanging
 from slowflow_kernels.domains import DAMPING, DISSIPATION
@@ -129,14 +129,14 @@ class Grid(Unchanging, ManyQuestions["xarray.Dataset", Any]):
             if name not in (*entry.takes, *entry.may, *entry.options):
                 raise WrongType(f"{name} is not an argument of {question}")
         options = {name: arguments.pop(name, default) for name, default in self._defaults(entry).items()}
-        in_table = {self._shown(name): name for name in (*arguments, *options)}
+        plain = {self._shown(name): name for name in (*arguments, *options)}
         tables = (name for name, axis in entry.argument_axes.items() if axis == "row" or "tau" in arguments)
         axes = {self._shown(name): entry.argument_axes[name] for name in tables}
         values = self._with({self._shown(name): value for name, value in arguments.items()}, axes)
         inner = {name: [dim for dim in value.dims if dim == axes.get(name)] for name, value in values.items()}
-        tabled = tuple(name for name, dims in inner.items() if dims)
+        with_rows = tuple(name for name, dims in inner.items() if dims)
         shown_options = {self._shown(name): value for name, value in options.items()}
-        own = self.designs, self.mechanism, question, tuple(values), shown_options, tabled, in_table, workers
+        own = self.designs, self.mechanism, question, tuple(values), shown_options, with_rows, plain, workers
         sizes_of_none = ([0, *(values[name].sizes[dim] for dim in dims)] for name, dims in inner.items())
         none = Ask(*own).answer(*map(np.empty, sizes_of_none))
         ask = Ask(*own, self._columns(none), self._about_map(none))
@@ -144,15 +144,15 @@ class Grid(Unchanging, ManyQuestions["xarray.Dataset", Any]):
         taken = {*INNER, "done", *ask.columns} & {*of_designs, *values}
         if taken:
             raise Refused(f"an axis or a parameter cannot be named {taken.pop()}: the answer has a column of that name")
-        return ask, {name: one.assign_attrs(self._about(in_table.get(name, name))) for name, one in values.items()}
+        return ask, {name: one.assign_attrs(self._about(plain.get(name, name))) for name, one in values.items()}
 
-    def _columns(self, none: Any) -> dict[str, Column]:
+    def _columns(self, none: Any) -> dict[str, MapColumn]:
         """The columns of a map by name, from the answer about no designs."""
         batch, found = getattr(none, "answer", none), {}
         for name, (axis, kind) in batch.question.layout(batch.system).items():
             shown = self._shown(name)
             length = getattr(none, shown).shape[-1] if axis else 1
-            found[shown] = Column(axis, length, kind, self._about(name, batch.question.kinds))
+            found[shown] = MapColumn(axis, length, kind, self._about(name, batch.question.kinds))
         return found
 
     def _about_map(self, none: Any) -> dict[str, str]:

@@ -130,7 +130,6 @@ else:  # whose columns are read by name
 
 #: data that are the same for all mounts
 SETTINGS = ("mounts", "contact", "force", "excitation")
-NO_MAPS = "mounts over named axes or in blocks are made by `mount.many`, of one of their data that is such an array"
 #: dimensionless names in docstrings, as they are in SI units
 IN_SI = {"F_0": "F", **{plain: shown for shown, plain in PLAIN.items()}}
 #: a density that has no customary unit
@@ -442,7 +441,9 @@ class PhysicalDesigns(PhysicalQuestions[ManyQuantities], Unchanging):
 def _array(name: str, value: Any) -> npt.NDArray[Any]:
     """Numbers of any shape, as they are."""
     if validate.is_labelled(value):
-        raise validate.NotAvailable(f"{name} has named axes, or is divided into blocks: {NO_MAPS}")
+        raise validate.NotAvailable(
+            f"{name} has named axes, or is divided into blocks: at least one of the data in `mount.many` must too"
+        )
     return validate.real_array(name, value)
 
 
