@@ -98,11 +98,12 @@ def test_a_store_is_read_back_in_si_units(tmp_path):
         **{"F": "N", "f": "Hz", "A": "m", "kind": None, "status": None, "remarks": None},
         **dict.fromkeys(("n", "zeta", "count", "undecided"), "dimensionless"),
     }
-    assert "u" not in found["A"].attrs["long_name"].split() and found["m"].attrs["long_name"]
+    assert "mass" in found["m"].attrs["long_name"]
     # its own data make the same map again, which is complete: nothing is computed
     data = {name: found[name] for name in designs.values}
     again = mount.many(**{name: value.load() for name, value in data.items()})
     ticked = [path.stat().st_mtime_ns for path in sorted((tmp_path / "map.zarr" / "done").rglob("*"))]
+    again.store(tmp_path / "map.zarr", "saddle_nodes", F=F, max_count=3)
     with pytest.raises(ValueError, match="F: "):
         again.store(tmp_path / "map.zarr", "saddle_nodes", F=2 * F, max_count=3)
     assert_same_bits(again.peak(F=20.0), batch(mount).peak(F=20.0))
@@ -158,7 +159,9 @@ def test_base_excitation_takes_displacement_or_acceleration():
     found = over(mount).peak(a=0.8)
     assert_same_bits(found, batch(mount).peak(a=0.8))
     assert found.attrs["excitation"] == "acceleration" and found.a.attrs["units"] == "m/s^2"
-    assert set(over(mount).detachment().data_vars) == {"Y_cr", "f_cr", "x_cr", "status", "remarks"}
+    found = over(mount).detachment()
+    assert set(found.data_vars) == {"Y_cr", "f_cr", "x_cr", "status", "remarks"}
+    assert found.Y_cr.attrs["long_name"] == "lowest forcing that reaches x_cr (34)"
 
 
 def test_data_in_another_unit_are_noted_of_a_map():
