@@ -127,7 +127,9 @@ def test_units_of_labelled_arrays_are_converted(tmp_path):
     in_mm, newtons = 1000 * LENGTHS, np.array([10.0, 20.0])
     quantity = pint.UnitRegistry().Quantity
     for L in (axis("L", in_mm, units="mm"), xarray.DataArray(quantity(in_mm, "mm"), dims="L")):
-        found = mount.many(L=L).peak(F=xarray.DataArray(newtons / 1000, dims="L", attrs={"units": "kN"}))
+        designs = mount.many(L=L)
+        assert mount.many(**designs.values) == designs  # in SI units, with no attribute of another
+        found = designs.peak(F=xarray.DataArray(newtons / 1000, dims="L", attrs={"units": "kN"}))
         np.testing.assert_allclose(found.A.values, expected.A, rtol=1e-12)
         np.testing.assert_allclose(found.L.values, LENGTHS, rtol=1e-15)
         assert found.L.attrs["units"] == "m" and found.F.attrs["units"] == "N"
