@@ -246,6 +246,16 @@ def test_batch_onsets_at_weak_damping_are_those_of_each_alone():
         assert (single.F_SN, single.Omega, single.A) == (together.F_SN[k], together.Omega[k], together.A[k])
 
 
+@pytest.mark.parametrize("load", [0.0, 0.02])
+def test_answers_by_doubles_are_those_of_the_questions(load):
+    """Of the first design the lower states leave the centre, where no balls are needed."""
+    designs, F_0 = Duffing.many([-0.2, 1.0], 1.0, 0.0, 0.05, load=load), np.array([0.05])
+    for question, at in (("saddle_nodes", {}), ("amplitudes", {"Omega": np.array([0.3])})):
+        found = columns(designs._by_doubles(question, max_count=3, F_0=F_0, **at))
+        for name, value in columns(getattr(designs, question)(max_count=3, F_0=F_0, **at)).items():
+            np.testing.assert_array_equal(found[name], value, err_msg=name)
+
+
 @pytest.mark.parametrize("force", ["truncated", "untruncated"])
 def test_springs_that_never_touch_leave_a_linear_mount(force):
     """delta_h = 0 among others: closed forms, also where a rod with springs would stand vertical."""
