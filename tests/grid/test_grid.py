@@ -520,6 +520,7 @@ def test_what_is_there_already_is_not_written_over(tmp_path):
         ({"question": "peak", "F_0": lambda: axis("r", R)}, ValueError, "r"),
         ({"question": "peak", "F_0": lambda: axis("status", R)}, ValueError, "cannot be named status"),
         ({"question": "peak", "F_0": R}, ValueError, "axes without names"),
+        ({"question": "peak", "F_0": lambda: axis("F_0", R).assign_attrs(units="N")}, ValueError, "F_0 has units"),
     ],
 )
 def test_bad_questions_are_refused_before_anything_is_written(arguments, error, message, tmp_path):
@@ -534,6 +535,7 @@ def test_bad_questions_are_refused_before_anything_is_written(arguments, error, 
     [
         (lambda: {"r": axis("r", np.array(["a", "b"]))}, ValueError, "r holds"),
         (lambda: {"r": lazy.ones(3, dtype=complex)}, ValueError, "r holds complex128"),
+        (lambda: {"r": axis("r", R).assign_attrs(units="N/m")}, ValueError, "r has units = 'N/m': it must be dimensio"),
         (lambda: {"r": axis("x", R), "delta_h": axis("x", R[:3])}, ValueError, "x"),
         (lambda: {"r": axis("x", R), "delta_h": axis("x", R + 1)}, ValueError, "x"),
         (lambda: {"r": axis("x", R), "delta_h": R}, ValueError, "delta_h has axes without names"),

@@ -640,6 +640,8 @@ def test_numbers_in_messages_about_a_mount_are_those_given():
             "duration = [1.7e+308] is too",
         ),
         (lambda mount: mount.replace(load=10, contact="attached"), "load = 10 kg is not available with contact = "),
+        (lambda mount: mount.replace(zeta=0, c_3=2), "c_3 = 2 N s^3/m^3 is not allowed with zeta = 0"),
+        (lambda mount: mount.replace(zeta=0, c_xx=30), "c_xx = 30 N s/m^3 is not allowed with zeta = 0"),
         (
             lambda mount: mount.replace(preload=9),
             "preload = 9 is not allowed: preload must be",

@@ -343,7 +343,8 @@ class Model(SlowFlow):
             )
         for name in ("c_3", "zeta_2"):
             if self.zeta == 0 and name in self.laws.present:
-                raise Refused(f"{listed({name: self.laws.present[name]})} is not allowed with zeta = 0: {WITHOUT_ZETA}")
+                number = listed({name: self.laws.present[name]})
+                raise Refused(number + f" is not allowed with zeta = 0: {WITHOUT_ZETA}")
         laws: tuple[float, ...] = ()
         if self.laws.any:
             laws = *self.laws.numbers.values(), float(self.laws.contact != THROUGHOUT)

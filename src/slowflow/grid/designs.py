@@ -219,11 +219,9 @@ def labelled(values: Mapping[str, Any]) -> dict[str, Any]:
     named = any(isinstance(value, (xarray.DataArray, xarray.Variable)) and value.ndim for value in values.values())
     found = {}
     for name, value in values.items():
-        array = value if validate.is_labelled(value) else validate.real_array(name, value)
+        array = _numbers(name, value)
         if not all(length == length for length in array.shape):  # dask counts what it has not counted as NaN
             raise Refused(f"{name} has blocks of unknown length: {name}.compute_chunk_sizes() counts them")
-        if array.dtype.kind not in "fiu":
-            raise Refused(f"{name} holds {array.dtype}: it must hold real numbers")
         if isinstance(array, (xarray.DataArray, xarray.Variable)):
             found[name] = xarray.DataArray(array, attrs={}).reset_coords(drop=True)
         elif named and array.ndim:
@@ -245,9 +243,7 @@ def labelled(values: Mapping[str, Any]) -> dict[str, Any]:
 def tabled(name: str, value: Any, axis: str) -> Any:
     """A column of a table, or a record, as a DataArray that may have this axis; an unnamed array has it."""
     xarray = optional("xarray", "a grid", "grid")
-    array = value if validate.is_labelled(value) else validate.real_array(name, value)
-    if array.dtype.kind not in "fiu":
-        raise Refused(f"{name} holds {array.dtype}: it must hold real numbers")
+    array = _numbers(name, value)
     if isinstance(array, (xarray.DataArray, xarray.Variable)):
         found = xarray.DataArray(array, attrs={}).reset_coords(drop=True)
     elif array.ndim < 2:
@@ -255,6 +251,17 @@ def tabled(name: str, value: Any, axis: str) -> Any:
     else:
         raise Refused(f"{name} has several axes without names: xarray.DataArray({name}, dims=[..., {axis!r}])")
     return found.astype(float).drop_vars(axis, errors="ignore")
+
+
+def _numbers(name: str, value: Any) -> Any:
+    """Real numbers of any shape, labelled ones as they are. Raises ValueError for labelled ones in a unit."""
+    array = value if validate.is_labelled(value) else validate.real_array(name, value)
+    if array.dtype.kind not in "fiu":
+        raise Refused(f"{name} holds {array.dtype}: it must hold real numbers")
+    unit, own = getattr(array, "attrs", {}).get("units", ""), UNITS_OF.get(name, DIMENSIONLESS)
+    if unit not in ("", "1", own):
+        raise Refused(f"{name} has units = {unit!r}: it must be {f'in {own}' if name in UNITS_OF else own}")
+    return array
 
 
 def _by_position(xarray: Any, arrays: dict[str, Any]) -> dict[str, Any]:

@@ -113,17 +113,19 @@ class PhysicalGrid(PhysicalQuestions["xarray.Dataset"], Grid):  # type: ignore[m
 
 
 def _in_si(name: str, value: Any, unit: str) -> Any:
-    """Numbers in SI units; labelled arrays stay such, and may say their unit."""
+    """Numbers in SI units; labelled arrays stay such, without the unit that they may say."""
     if not (validate.is_labelled(value) and hasattr(value, "attrs")):
         return si(name, value, unit)
     if hasattr(value.data, "magnitude"):
         return value.copy(data=si(name, value.data, unit))
-    known = {unit: 1.0, **UNITS[KIND_OF[unit]]} if unit else dict.fromkeys(("", "1", DIMENSIONLESS), 1.0)
-    if (word := value.attrs.get("units", unit)) not in known:
-        raise Refused(f"{name} has units = {word!r}: they must be one of {', '.join(filter(None, known))}")
-    if (size := known[word]) == 1.0:
+    if not unit:
         return value
-    found = value * size
+    known = {unit: 1.0, **UNITS[KIND_OF[unit]]}
+    if (word := value.attrs.get("units", unit)) not in known:
+        raise Refused(f"{name} has units = {word!r}: they must be one of {', '.join(known)}")
+    size = known[word]
+    found = value.copy(deep=False) if size == 1.0 else value * size
+    found.attrs = {}
     # numbers along an axis of their own name are its coordinate
-    own = {name: value.coords[name] * size} if name in getattr(value, "coords", ()) else {}
+    own = {name: value.coords[name] * size} if size != 1.0 and name in getattr(value, "coords", ()) else {}
     return found.assign_coords(own) if own else found
