@@ -58,6 +58,33 @@ def test_random_vibration_is_off_by_what_is_said():
             assert (np.abs(row.get("by energy", 0.0)) < 0.01 + np.array(row["margin"])).all()
 
 
+def test_limits_of_random_vibration_are_the_measured_errors():
+    """Of where one oscillator is equivalent: in the page's table, in wider bands and in the narrow one."""
+    measured = [
+        row for row in json.loads(validity.RESULTS.read_text(encoding="utf-8"))["random"] if row["motions"] == 1
+    ]
+    kinds = {
+        "isolator": ("isolator", False),
+        "isolator under a static load": ("isolator", True),
+        "elastic stops on both sides": ("stops", False),
+        "stop on one side, 9 times as stiff as the spring": ("one stop", True),
+    }
+    page = (validity.ROOT / "docs/limits.md").read_text(encoding="utf-8")
+    lines = [line.strip("|").split(" | ") for line in page.splitlines() if line.strip("| ").split(" | ")[0] in kinds]
+    assert len(lines) == 8
+    for case, fraction, *errors in lines:
+        spring, about_mean = kinds[case.strip()]
+        for typed, narrow in zip(errors, (False, True), strict=True):
+            largest = max(
+                np.abs(row["linearized"][about_mean:]).max()  # the mean's own error comes first
+                for row in measured
+                if (row["spring"], "marked" in row) == (spring, about_mean)
+                and row["dry"] <= float(fraction.removeprefix("up to "))
+                and (row["band"] == validity.validity_page.NARROWEST) == narrow
+            )
+            assert f"to {validity.validity_page._percent(largest)}" in typed, (case, fraction, typed)
+
+
 def test_every_critical_forcing_is_compared():
     """A dot in the figure is a corner's onset that the untruncated force does not have; averaging (5) agrees."""
     numbers = json.loads(validity.RESULTS.read_text(encoding="utf-8"))
