@@ -66,8 +66,9 @@ def assert_answers_agree(one: Any, F_0: float, window: tuple[float, float] = (0.
         near = int(np.argmin(np.abs(states.A[here] - curve.A[k])))
         assert abs(states.A[here][near] / curve.A[k] - 1) < 1e-7 and states.stable[here][near] == curve.stable[k]
         assert abs(states.phi[here][near] - curve.phi[k]) < 1e-7
-    if steady and wide.all():
+    if steady:
         bands = one.hysteresis(F_0)
+        assert Remark.UNDECIDED not in bands.remarks or not wide.all()
         for at in Omega.tolist():
             stable = int(states.stable[states.Omega == at].sum())
             inside = [band.motions for band in bands if band.Omega_low < at < band.Omega_high]

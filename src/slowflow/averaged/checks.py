@@ -33,6 +33,7 @@ from slowflow.averaged.isolating import (
 from slowflow.core import validate
 from slowflow.core.mechanism import Flags, Floats, Ints, Law, by_piece
 from slowflow.core.model import THROUGHOUT, SlowFlow
+from slowflow.support.errors import NotSettled
 from slowflow.support.text import Sentence, text
 from slowflow_kernels.conventions import ENDLESS, HIGHEST_OMEGA
 
@@ -43,6 +44,9 @@ APART = text(
 )
 WITHIN = "motions whose mean stiffness vanishes may lose their stability within a band too"
 NONE_STABLE = Sentence("no motion is stable at {Omega = :g}, {F_0 = :g}")
+BETWEEN = Sentence("the motions between two folds at {Omega = :.10g} are not resolved")
+#: relative distance of folds within which rounding may leave the states between them open
+NARROW = 1e-8
 #: amplitudes at which the highest frequency of the backbone is looked for, and points of a response curve
 SAMPLES = 2000
 #: places up to which friction may hold the mass, between which its force is looked at, and halvings that leave rounding
@@ -122,7 +126,7 @@ class Hysteresis(Composed, Table, entry="Band"):
 
     Omega_low, Omega_high -- ends of the band: folds, 0, or inf if a motion has no end, as without viscous damping
     motions -- number of stable motions in it, including the equilibrium at which a preload holds the mass
-    remarks -- those of the folds
+    remarks -- those of the folds; UNDECIDED also if the motions between two nearly equal folds are not resolved
     """
 
     Omega_low: Floats
@@ -313,17 +317,26 @@ def hysteresis(oscillator: Any, F_0: float) -> Hysteresis:
     folds = oscillator.saddle_nodes(F_0)
     # beyond the last fold the number of motions does not change any more
     ends = [0.0, *np.unique(folds.Omega).tolist(), math.inf]
-    bands = []
+    bands, unresolved = [], []
     for low, high in pairwise(ends) if len(folds) else ():
         middle = min(0.5 * (low + high) if high < math.inf else 2 * low, HIGHEST_OMEGA)
         if not low < middle < high:  # there is no frequency between them, or none that is answered
             continue
-        if (stable := int(oscillator.amplitudes(Omega=middle, F_0=F_0).stable.sum())) > 1:
+        try:
+            stable = int(oscillator.amplitudes(Omega=middle, F_0=F_0).stable.sum())
+        except NotSettled:
+            if high - low > NARROW * high:
+                raise
+            unresolved.append(low)
+            continue
+        if stable > 1:
             bands.append((low, high, stable))
     low, high, motions = np.array(bands).reshape(-1, 3).T
-    none = "" if bands else "at each frequency at most one motion is stable"
-    message = joined(folds.message, none, WITHIN if (folds.kind == "unstable").any() else "")
-    return Hysteresis(low, high, motions.astype(np.intp), folds.F_0, message, folds.remarks)
+    none = "" if bands or unresolved else "at each frequency at most one motion is stable"
+    between = BETWEEN.format(np.array(unresolved)) if unresolved else ""
+    message = joined(folds.message, none, between, WITHIN if (folds.kind == "unstable").any() else "")
+    remarks = folds.remarks | (Remark.UNDECIDED if unresolved else Remark(0))
+    return Hysteresis(low, high, motions.astype(np.intp), folds.F_0, message, remarks)
 
 
 def isolation(oscillator: Any, F_0: float, level_dB: float = 0.0) -> Isolation:
