@@ -170,8 +170,9 @@ def test_data_in_another_unit_are_noted_of_a_map():
     mount = Isolator.physical(**SHEET)
     with pytest.warns(UserWarning, match="L = 90 m is a push-rod as long as a house"):
         mount.many(L=axis("L", [80.0, 90.0]), m=axis("m", np.linspace(20.0, 30.0, 2000)).chunk(m=10).compute())
-    with pytest.warns(UserWarning, match="is it in rpm"):
+    with pytest.warns(UserWarning, match="is it in rpm") as warned:
         over(mount).amplitudes(f=900.0, F=20.0)
+    assert {one.filename for one in warned} == {__file__}
 
 
 def test_maps_of_mounts_pickle_and_compare():

@@ -252,7 +252,7 @@ class Isolator(Oscillator):
         laws = Laws.of(contact, **numbers)
         with scales.in_these_terms():
             isolator = cls(force=force, excitation=scales.of_oscillator, contact=laws.contact, mu_s=mu_s, **numbers)
-        range_checks.warn(range_checks.of_mount(known, isolator.zeta, mounts), stacklevel=3)
+        range_checks.warn(range_checks.of_mount(known, isolator.zeta, mounts))
         arguments: dict[str, Any] = dict(m=m, k_v=k_v, k_h=k_h, n=n, L=L, preload=preload, friction=friction)
         arguments |= {"mounts": mounts} if mounts > 1 else {}
         arguments |= {"c": c} if c is not None else {"zeta": isolator.zeta}

@@ -123,7 +123,7 @@ class Physical(TakesAmplitude):
 
             make = PhysicalGrid._of
         mounts = make(self._kind, sheet, hasattr(self.oscillator, "first"))
-        range_checks.warn(mounts._range_checks(), stacklevel=2)
+        range_checks.warn(mounts._range_checks())
         return mounts
 
     @property
@@ -670,5 +670,5 @@ class Physical(TakesAmplitude):
         if not np.isfinite(found).all():
             raise OutOfRange(f"{name} = {value!r} is too large: over {size:.6g} it leaves the range of doubles")
         if name in REMARKS:
-            range_checks.warn(REMARKS[name](number, self.scales.sizes["frequency"]), stacklevel=5)
+            range_checks.warn(REMARKS[name](number, self.scales.sizes["frequency"]))
         return found

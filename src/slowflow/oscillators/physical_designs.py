@@ -389,7 +389,7 @@ class PhysicalDesigns(PhysicalQuestions[ManyQuantities], Unchanging):
         with np.errstate(all="ignore"):
             found = array / sizes[kind]
         if shown in REMARKS:
-            range_checks.warn(REMARKS[shown](array, sizes["frequency"]), stacklevel=5)
+            range_checks.warn(REMARKS[shown](array, sizes["frequency"]))
         return found
 
     def _in_si(self, name: str, value: Any) -> npt.NDArray[Any]:

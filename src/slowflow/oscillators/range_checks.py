@@ -7,6 +7,8 @@ Of many mounts a remark quotes the one that is farthest beyond the limit.
 from __future__ import annotations
 
 import math
+import sys
+import traceback
 import warnings
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
@@ -83,7 +85,9 @@ def _remarks(beyond: Mapping[str, Any], **numbers: Any) -> Iterator[str]:
             yield sentence.format(**{name: value[at] for name, value in zip(numbers, values, strict=True)})
 
 
-def warn(remarks: Iterable[str], stacklevel: int) -> None:
-    """Each remark as a warning at the caller, so many calls up."""
+def warn(remarks: Iterable[str]) -> None:
+    """Each remark as a warning at the line that called the package."""
     for remark in remarks:
-        warnings.warn(remark, Implausible, stacklevel=stacklevel + 1)
+        calls = (frame.f_globals.get("__name__", "") for frame, _ in traceback.walk_stack(sys._getframe()))
+        inside = [k for k, module in enumerate(calls, start=1) if module.partition(".")[0] == "slowflow"]
+        warnings.warn(remark, Implausible, stacklevel=inside[-1] + 1)
