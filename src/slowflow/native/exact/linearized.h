@@ -33,7 +33,7 @@ enum { SF_TRIALS = 5, SF_MOST_HALVINGS = 20 };
 #define SF_MORE 1.5
 /* how much of a cell may be left where its bounds say so, or it is cut */
 #define SF_SHRINKS 0.5
-/* how near a damping is wanted in a cell, over its size; far from a root, and at it */
+/* how near a damping is wanted in a cell, over its size; far from a root; and at it, or where no size is known */
 #define SF_AS_NEAR 0x1p-5
 #define SF_ROUGH 0x1p-5
 #define SF_NEAREST 0x1p-28

@@ -387,7 +387,7 @@ static double sf_lowest_motion(sf_offset *of, const sf_far_cells *cells, double 
     double least[SF_STIFFNESSES], found = top;
     for (int i = 0; of->square == 0.0 && i < SF_STIFFNESSES; i++) {
         sf_ends by_p;
-        const double L = sf_power_at(of, softest + wide * i, 0.0, SF_AS_NEAR, &by_p);
+        const double L = sf_power_at(of, softest + wide * i, 0.0, SF_NEAREST, &by_p);
         least[i] = i ? fmin(least[i - 1], L) : L;
     }
     for (; found > top - log(SF_SEARCHED); found -= step) {
