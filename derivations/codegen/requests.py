@@ -27,7 +27,7 @@ _STATES = "F_Omega_reduced state_R state"
 #: by module, with names of kernels, or * for all that are in neither of the first two:
 #:     cells    -- on intervals, and nowhere on doubles
 #:     settled  -- in double-double only
-#:     solvers  -- called by compiled solvers alone: in C, and had from there in Python
+#:     from_c   -- called by no Python code: in C, and had from there in Python
 #:     in_c     -- in C these too, and no others; all where nothing is said
 #:     unlooped -- evaluated once an answer: Python has them as no loop over arrays
 #:     others   -- as in `Kernel`
@@ -38,19 +38,19 @@ REQUESTS = {
         "searched": f"{_ON_INTERVALS} {_STATES}",
         "paired": "friction",
         "unlooped": "held",
-        "solvers": """fold_moves fold_square peak_Omega_A cusp_balance isola_level isola_hessian tail rest isola_Omega
+        "from_c": """fold_moves fold_square peak_Omega_A cusp_balance isola_level isola_hessian tail rest isola_Omega
             isola cusp_R peak least_restoring most_restoring level_rise cusp_bend isola_bend""",
         "cells": f"{_STATES} fold_least",
         "settled": " ".join(f"{kind}_step" for kind in EQUATIONS),
     },
     "slow_flow_mu0": {
-        "solvers": "fold isola",
+        "from_c": "fold isola",
         "enclosed": "isola",
         "searched": "isola F_Omega_reduced",
         "cells": "F_Omega_reduced",
     },
     "slow_flow_zeta0": {
-        "solvers": "undamped undamped_level undamped_Omega undamped_rises",
+        "from_c": "undamped undamped_level undamped_Omega undamped_rises",
         "enclosed": "fold undamped_Omega",
         "searched": "fold undamped_Omega undamped_rises F_Omega_reduced",
         "cells": "F_Omega_reduced",
@@ -58,13 +58,13 @@ REQUESTS = {
     "inertia": {
         "enclosed": "terms peak isola isola_apart",
         "unlooped": "amplitude moves_from",
-        "solvers": """terms hessian fold_force fold_level fold_slopes force_slopes level_slope least_Omega_A peak_share
+        "from_c": """terms hessian fold_force fold_level fold_slopes force_slopes level_slope least_Omega_A peak_share
             Omega_of_share isola_apart peak isola cusp_bend bound least share""",
     },
-    "second_approximation": {"solvers": "detachment_by_inertia folds"},
+    "second_approximation": {"from_c": "detachment_by_inertia folds"},
     "dissipation": {
         "generic": "*",
-        "solvers": f"""restoring viscous_moves far response_polynomial fold_polynomial structural_bound quadratic_bound
+        "from_c": f"""restoring viscous_moves far response_polynomial fold_polynomial structural_bound quadratic_bound
             R_of_peak F_A_halved Omega_A Omega_A_by_inertia released_moves F_AOmegaOmega cusp_bend_by_inertia
             isola_bend_by_inertia F_OmegaOmega cusp_bend isola_bend static {_SYSTEMS}""",
         "in_c": """quadratic cubic at_rest rest_moves released viscous I I_A F F_A F_AA far_by_inertia limit_envelope
@@ -76,27 +76,27 @@ REQUESTS = {
     },
     "off_centre": {
         "generic": "*",
-        "solvers": "begin up down ended_along",
+        "from_c": "begin up down ended_along",
         "in_c": "",
         "enclosed": "ended_slopes ended_state ended_along ended_fold beside begin down",
     },
     "linearization": {
         "generic": "*",
-        "solvers": "steepest resonance",
+        "from_c": "steepest resonance",
         "in_c": "over_displacements equivalent_damping damping_force response",
     },
-    "sensitivities": {"generic": "*", "solvers": "of_state by_force by_inertia"},
+    "sensitivities": {"generic": "*", "from_c": "of_state by_force by_inertia"},
     "sampled": {
         "generic": "*",
-        "solvers": "averaged_terms averaged_end intercept_terms intercept_end harmonics_terms harmonics_end",
+        "from_c": "averaged_terms averaged_end intercept_terms intercept_end harmonics_terms harmonics_end",
         "in_c": "at_rest",
         "enclosed": "bent_terms bent_end_0 bent_end_1 bent_end_2 bent_end_3",
     },
-    "frequencies": {"solvers": "*"},
+    "frequencies": {"from_c": "*"},
     # the recurrences of `taylor` are the rates in C; only the paper's own way is smoothed
     "motion": {
         "generic": "*",
-        "solvers": "turned",
+        "from_c": "turned",
         "in_c": """push push_slopes breakaway acceleration resistance across released rates_by_state rates_by_parameter
             structural""",
     },
@@ -108,16 +108,16 @@ def requested(module: str, kernels: Iterable[Kernel]) -> dict[str, tuple[Kernel,
     by_name = {kernel.name: kernel for kernel in kernels}
     requests = {flag: names.split() for flag, names in REQUESTS.get(module, {}).items()}
     apart = {form: requests.pop(form, []) for form in ("cells", "settled")}
-    solvers = requests.pop("solvers", [])
+    from_c = requests.pop("from_c", [])
     only = [name for names in apart.values() for name in names]
-    if unknown := {name for names in (*requests.values(), only, solvers) for name in names} - {"*", *by_name}:
+    if unknown := {name for names in (*requests.values(), only, from_c) for name in names} - {"*", *by_name}:
         raise ArithmeticError(f"{module} has no kernels {sorted(unknown)}")
     flags: dict[str, dict[str, bool]] = {name: {} for name in by_name}
     for flag, names in requests.items():
         for name in by_name:
             chosen = name in names or (names == ["*"] and name not in only)
             flags[name] |= {"looped": not chosen} if flag == "unlooped" else {flag: chosen}
-    for name in by_name if solvers == ["*"] else solvers:
+    for name in by_name if from_c == ["*"] else from_c:
         flags[name] |= {"in_c": True, "in_python": False}
     stated = {name: replace(kernel, **flags[name]) for name, kernel in by_name.items()}
     return {

@@ -10,13 +10,12 @@ docstring gives equation number, domain and floating-point operations, by regime
 Rounding errors are in u (1 + kappa), u = 2^-53: proved ones hold wherever nothing overflows or underflows, measured
 ones are the worst of all outputs that was found, by a search for it with A 1e-09 to 1000, F_0 1e-09 to 1000, I
 1e-12 to 1000 or 0, I_0 1e-12 to 1 or 0, I_0A 1e-09 to 1e+06 of either sign or 0, I_0AA 1e-09 to 1e+09 of either
-sign or 0, I_0AAA 1e-09 to 1e+12 of either sign or 0, I_0_over_A 1e-12 to 1e+06 or 0, I_A 1e-09 to 1e+06 of either
-sign or 0, I_over_A 1e-12 to 1e+06 or 0, Omega 0.001 to 1000, R 1e-09 to 1e+06 of either sign or 0, R_A 1e-09 to
-1e+06 of either sign or 0, c_2 1e-12 to 1000 or 0, c_3 1e-12 to 1000 or 0, d 1e-12 to 1000 or 0, d_3 1e-12 to 1000
-or 0, eta 1e-12 to 1 or 0, h 1e-12 to 1000 of either sign or 0, h_A 1e-09 to 1e+06 of either sign or 0, h_AA 1e-09
-to 1e+09 of either sign or 0, h_AAA 1e-09 to 1e+12 of either sign or 0, h_over_A 1e-09 to 1e+06 of either sign or 0,
-m 1e-12 to 1 or 0, steepest 1e-09 to 1e+06 or 0, u_cr 1e-06 to 1, x 0.001 to 1000, zeta 1e-12 to 1 or 0, zeta_2
-1e-12 to 1000 or 0, zeta_A 1e-09 to 1e+06 or 0, zeta_AA 1e-09 to 1e+06 or 0, zeta_AAA 1e-09 to 1e+06 or 0.
+sign or 0, I_0AAA 1e-09 to 1e+12 of either sign or 0, I_A 1e-09 to 1e+06 of either sign or 0, Omega 0.001 to 1000, R
+1e-09 to 1e+06 of either sign or 0, R_A 1e-09 to 1e+06 of either sign or 0, c_2 1e-12 to 1000 or 0, c_3 1e-12 to
+1000 or 0, d 1e-12 to 1000 or 0, d_3 1e-12 to 1000 or 0, eta 1e-12 to 1 or 0, h 1e-12 to 1000 of either sign or 0,
+h_A 1e-09 to 1e+06 of either sign or 0, h_AA 1e-09 to 1e+09 of either sign or 0, h_AAA 1e-09 to 1e+12 of either sign
+or 0, m 1e-12 to 1 or 0, steepest 1e-09 to 1e+06 or 0, u_cr 1e-06 to 1, x 0.001 to 1000, zeta 1e-12 to 1 or 0,
+zeta_2 1e-12 to 1000 or 0, zeta_A 1e-09 to 1e+06 or 0, zeta_AA 1e-09 to 1e+06 or 0, zeta_AAA 1e-09 to 1e+06 or 0.
 """
 
 # a formatter would spread each polynomial over a page

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from benchmarks.stress import __main__ as stress
-from benchmarks.stress import answers, counts, kernels, roots
+from benchmarks.stress import answers, baseline, counts, domains, kernels, roots
 from tests import backends
 from tests.files import stored
 from tests.kernels.test_kernels import worst
@@ -48,6 +48,12 @@ def package(request):
 def test_every_kernel_has_worst_points():
     without_outputs = {("duffing", "breakpoints"), ("duffing", "jumps")}
     assert set(KERNELS) == set(kernels.named()) - without_outputs
+
+
+def test_boxes_are_those_of_the_arguments_that_kernels_take():
+    names = baseline.arguments([{"module": module, "names": own} for (module, _), own in kernels.named().items()])
+    boxes = {row["module"]: row["where"] for row in BASELINE["boxes"]}
+    assert boxes == {module: domains.in_words(module, sorted(own)) for module, own in names.items()}
 
 
 @pytest.mark.parametrize("module", sorted({module for module, _ in KERNELS}))
