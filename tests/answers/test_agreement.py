@@ -228,3 +228,15 @@ def test_no_fold_is_below_an_onset_and_two_are_above(name: str) -> None:
     assert sorted(born.kind) == ["jump-down", "jump-up"]
     for of in ("Omega", "A"):
         np.testing.assert_allclose(getattr(born, of), [getattr(onset, of)] * 2, rtol=0.01)
+
+
+@pytest.mark.slow
+def test_bands_that_a_kink_leaves_open_are_named() -> None:
+    """Single and in a batch, with the band that is resolved."""
+    make, F_0, *_ = CASES["kink 2.744"]
+    one = make()
+    folds = one.saddle_nodes(F_0).Omega
+    single, batch = one.hysteresis(F_0), Isolator.many(**one.given).hysteresis(F_0)
+    assert f"Omega = {folds[np.diff(folds).argmin()]:.10g} are not resolved" in single.message
+    assert Remark.UNDECIDED in single.remarks & Remark(int(batch.remarks))
+    assert len(single) == batch.count == 1 and single.Omega_low == batch.Omega_low[0] in folds
