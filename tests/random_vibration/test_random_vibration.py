@@ -331,7 +331,7 @@ def test_cubic_springs_in_a_band_have_as_many_motions_as_a_grid():
     assert found.count.tolist() == expected.tolist()
 
 
-def test_cubic_springs_next_to_a_fold_have_an_odd_number_of_motions():
+def test_cubic_springs_near_a_fold_have_an_odd_count_of_motions():
     """I_0(k) is above (k - 1)/(3 beta) at k = 1 and below far away; beyond beta = 30.56 two more motions exist."""
     beta = np.linspace(30.6, 30.9, 300)
     found = Duffing.many(1.0, beta, 0.0, 0.00448).random(psd=([3.53, 5.32, 15.0], [0.00754, 0.0486, 0.0003]))
