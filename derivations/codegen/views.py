@@ -35,7 +35,6 @@ if TYPE_CHECKING:
 #: the straight-line code of every branch, by kernel
 Code = dict[str, tuple[Program, ...]]
 
-DERIVATIONS = Path(__file__).parents[1]
 WIDTH = 116
 #: of outputs whose bounds a comment lists
 MOST_BOUNDS = 8

@@ -451,7 +451,7 @@ static double sf_excess(sf_linearized *of, const sf_gaussian *at, double near, s
 static void sf_put_stationary(sf_linearized *of, const sf_gaussian *a, const sf_gaussian *b, sf_ends t, int rises,
                               double from)
 {
-    /* whether the signs at the ends are */
+    /* of the ends: whether the sign there is known */
     int known[2] = {!rises && t.low > log(a->sigma), !rises && t.high < log(b->sigma)};
     double low = known[0] ? exp(t.low) : a->sigma, high = known[1] ? exp(t.high) : b->sigma;
     double before = 0.0, near = SF_ROUGH;
