@@ -394,6 +394,15 @@ def tails(x, most):
     return found
 
 
+def test_growing_damping_of_two_wells_is_a_root_of_a_cubic():
+    """(2 zeta + 2 zeta_2 s) (3 beta s - 1) s = pi S_0 has one positive root, s = sigma_u^2."""
+    zeta, zeta_2, S_0, beta = 0.02, 0.7, 1e-4, np.geomspace(0.02, 50.0, 40)
+    found = Duffing.many(-1.0, beta, 0.0, zeta, zeta_2=zeta_2).random(S_0=S_0)
+    roots = [np.roots([6 * b * zeta_2, 6 * b * zeta - 2 * zeta_2, -2 * zeta, -math.pi * S_0]).real.max() for b in beta]
+    assert found.count.tolist() == [1] * len(beta)
+    assert found.u_rms[:, 0] == pytest.approx(np.sqrt(roots), rel=1e-10)
+
+
 def test_growing_damping_of_a_linear_spring_is_closed():
     """sigma_u and sigma_v are one: (2 zeta + (2 zeta_2 + 3 c_3) sigma^2) sigma^2 = pi S_0."""
     zeta, c_3, zeta_2, S_0 = 0.03, np.array([0.2, 0.0, 0.5]), np.array([0.0, 0.4, 0.3]), 0.02
