@@ -132,6 +132,9 @@ def stretches(
             side = -side
             u = side * 1e-15
         beyond = [one != other for one, other in zip(beyond, passed, strict=True)]
+        for edge, out, passes in zip(edges, beyond, passed, strict=True):
+            if passes:  # off the switch: a motion that touches it would be on either side by turns
+                u = np.sign(u) * edge * (1 + (1e-14 if out else -1e-14))
 
 
 def turns_of(by_hand: Any, mu_zeta: Any, Omega: float, F_0: float, start: Any, turns: float, **options: Any) -> Any:
