@@ -330,8 +330,9 @@ def test_at_rest_a_mount_has_what_its_data_sheet_says(mount):
     assert rest.preset == pytest.approx(12 * 9.80665 / 2500)
     assert (rest.lightest, rest.heaviest) == pytest.approx([12 - 2500 * rest.x_cr / 9.80665, 24 - rest.lightest])
     assert (rest.break_loose, rest.sticking) == pytest.approx((0.4, 1.6 / math.pi))
-    with pytest.warns(UserWarning, match="negative stiffness"):
+    with pytest.warns(UserWarning, match="negative stiffness") as warned:
         assert mount.replace(preload=0.05).at_rest().f_0 is None
+    assert [one.filename for one in warned] == [__file__]
     assert mount.replace(preload=0).at_rest().x_cr is None
 
 

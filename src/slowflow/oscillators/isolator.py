@@ -6,7 +6,6 @@
 from __future__ import annotations
 
 import dataclasses
-import warnings
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
@@ -146,7 +145,8 @@ class Isolator(Oscillator):
         if load != 0:
             self._put(load)
         if self.alpha < 0:
-            warnings.warn(text(NEGATIVE, self.delta_h, 1 / (self.lam * self.r), self.alpha), stacklevel=3)
+            negative = text(NEGATIVE, self.delta_h, 1 / (self.lam * self.r), self.alpha)
+            range_checks.warn([negative], UserWarning)
 
     def restoring_force(self, which: str | None = None) -> Force:
         if which == "truncated":

@@ -85,9 +85,9 @@ def _remarks(beyond: Mapping[str, Any], **numbers: Any) -> Iterator[str]:
             yield sentence.format(**{name: value[at] for name, value in zip(numbers, values, strict=True)})
 
 
-def warn(remarks: Iterable[str]) -> None:
+def warn(remarks: Iterable[str], category: type[Warning] = Implausible) -> None:
     """Each remark as a warning at the line that called the package."""
     for remark in remarks:
         calls = (frame.f_globals.get("__name__", "") for frame, _ in traceback.walk_stack(sys._getframe()))
         inside = [k for k, module in enumerate(calls, start=1) if module.partition(".")[0] == "slowflow"]
-        warnings.warn(remark, Implausible, stacklevel=inside[-1] + 1)
+        warnings.warn(remark, category, stacklevel=inside[-1] + 1)
