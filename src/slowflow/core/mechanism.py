@@ -11,6 +11,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from itertools import pairwise
 from typing import Any, Protocol
 
@@ -146,7 +147,7 @@ class Force:
         """End of that piece, for an odd force; None if there is only one piece."""
         return next(iter(self.breakpoints[self.innermost :]), None)
 
-    @property
+    @cached_property
     def first_ends(self) -> tuple[float, float]:
         """Ends of that piece below and above u = 0 for any force, infinite where it does not end."""
         below, above = (self.edge_ahead(side, side * self.innermost) for side in (-1, 1))

@@ -61,23 +61,17 @@ class Tabulated:
             raise Refused("psd must be two rows of one length, of at least two points: frequencies and densities")
         if not (self.Omega[0] > 0 and (np.diff(self.Omega) >= 0).all() and self.Omega[-1] > self.Omega[0]):
             raise Refused("the frequencies of psd must be positive and ascending")
-        x = np.log(self.Omega)
-        self._x, self._y = x, np.log(self.G)
-        wide = np.flatnonzero(np.diff(x) > 0)
-        #: between points with a step between them a density is that of its own interval
-        self._slopes = np.diff(self._y)[wide] / np.diff(x)[wide]
-        self._begins, self._y_begins = x[wide], self._y[wide]
         #: what C takes for it: `sf_table` of `native/exact/linearized.h`
         self.for_C = EXACT.table(np.stack((self.Omega, self.G), axis=1))
 
     def density(self, Omega: Floats) -> Floats:
         """One-sided."""
-        x = np.log(Omega)
-        return np.where((x >= self._x[0]) & (x <= self._x[-1]), self._within(x), 0.0)
-
-    def _within(self, x: Floats) -> Floats:
-        part = np.clip(np.searchsorted(self._begins, x, side="right") - 1, 0, None)
-        return np.asarray(np.exp(self._y_begins[part] + self._slopes[part] * (x - self._begins[part])))
+        x, points, y = np.log(Omega), np.log(self.Omega), np.log(self.G)
+        # between points with a step between them a density is that of its own interval
+        wide = np.flatnonzero(np.diff(points) > 0)
+        of = wide[np.clip(np.searchsorted(points[wide], x, side="right") - 1, 0, None)]
+        slope = (y[of + 1] - y[of]) / (points[of + 1] - points[of])
+        return np.where((x >= points[0]) & (x <= points[-1]), np.exp(y[of] + slope * (x - points[of])), 0.0)
 
     #: factors of all densities and of all frequencies
     numbers = MappingProxyType({"psd_G": 1.0, "psd_Omega": 1.0})

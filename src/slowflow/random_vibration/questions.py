@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 from typing import Any
 
 import numpy as np
@@ -76,10 +77,16 @@ def random(oscillator: Any, system: EquationOfMotion, S_0: Any, psd: Any) -> Ran
     """See `slowflow.oscillators.oscillator.Oscillator.random`."""
     excitation = excited_by(S_0, psd)
     columns = stationary(system, excitation)
+    message = functools.partial(_diagnostics, system, excitation, columns)
+    return RandomResponse._made(**columns, message=message, excitation=excitation, system=system, _equation=oscillator)
+
+
+def _diagnostics(system: EquationOfMotion, excitation: Excitation, columns: dict[str, Floats]) -> str:
+    """How far statistical linearization is to be trusted, as text."""
     u, dry, by_energy = columns["u_rms"], columns["dry"], system.centred and isinstance(excitation, White)
     most = MOST_ATTACHED if system.released else MOST_DRY if system.centred else MOST_DRY_ABOUT
     nonlinear = 1 - dry - 2 * system.zeta / columns["damping"]
-    message = joined(
+    return joined(
         SEVERAL.format(u.size) if u.size > 1 else "",
         DRY.format(float(dry.max()), most, NEARER * by_energy) if (dry > most).any() else "",
         NONLINEAR.format(float(nonlinear.max()), MOST_NONLINEAR, NEARER_NONLINEAR * by_energy)
@@ -88,7 +95,6 @@ def random(oscillator: Any, system: EquationOfMotion, S_0: Any, psd: Any) -> Ran
         "" if system.centred else _about_means(system, columns),
         IN_A_BAND if isinstance(excitation, Tabulated) and excitation.Omega[-1] < NARROW * excitation.Omega[0] else "",
     )
-    return RandomResponse(**columns, message=message, excitation=excitation, system=system, _equation=oscillator)
 
 
 def _about_means(system: EquationOfMotion, columns: dict[str, Floats]) -> str:
@@ -134,7 +140,7 @@ def is_damped(mu: Any, zeta: Any, c_2: Any, released: bool, white: bool) -> Any:
 
 def columns(motions: Floats, ends: Any) -> dict[str, Floats]:
     """Columns of stationary motions, (..., NUMBERS), for the ends of the force's first piece."""
-    mean, u, v, square, k, c, dry, beyond = np.moveaxis(motions, -1, 0)
+    mean, u, v, square, k, c, dry, beyond = (motions[..., number] for number in range(NUMBERS))
     Omega, none = np.sqrt(k), np.isinf(ends[0]) & np.isinf(ends[1])
     rate = np.where(none, np.nan, crossings(ends, mean, u, v))
     found = mean, u, v, np.sqrt(square), k, c, Omega, c / (2 * Omega), np.where(none, np.nan, beyond), rate, dry / c
