@@ -49,10 +49,9 @@ class Objects(Mapping):
         return Objects(filter(kept, self.names), self.made)
 
 
-def over_r():
-    """A map over a named axis, where xarray is installed."""
-    r = pytest.importorskip("xarray").DataArray([1.0, 2.0], dims="r")
-    return Isolator.many(lam=3, r=r, delta_h=0.1, mu=0.012, zeta=0.02)
+def over(name):
+    """Two values along an axis of that name, where xarray is installed."""
+    return pytest.importorskip("xarray").DataArray([1.0, 2.0], dims=name)
 
 
 #: what is asked, not an answer
@@ -65,10 +64,16 @@ ASKS = {
     "restoring_force": lambda: OBJECTS["isolator"].restoring_force(),
     "equation_of_motion": lambda: OBJECTS["isolator"].equation_of_motion(),
     "designs": lambda: Isolator.many(lam=3, r=[[2.0], [3.0]], delta_h=[0.08, 0.1, 0.12], mu=0.012, zeta=0.02),
+    "second designs": lambda: OBJECTS["designs"].second_approximation,
+    "every law": lambda: isolator(eta=0.01, c_2=0.1, mu_s=0.02, contact="attached", excitation="base"),
     "off centre": lambda: Duffing(1.0, 0.5, 0.01, 0.05, load=0.3).off_centre,
+    "plan off centre": lambda: isolator(load=0.03).explain("margins", 0.04),
     "designs under a load": lambda: Duffing.many(1.0, 0.5, 0.01, 0.05, load=[0.2, 0.3]),
     "mount": lambda: Isolator.physical(m=12, k_v=2500, k_h=1700, L=0.080, preload=0.009, friction=0.4, zeta=0.02),
-    "map": over_r,
+    "mounts": lambda: OBJECTS["mount"].many(m=[11.0, 12.0]),
+    "map": lambda: Isolator.many(lam=3, r=over("r"), delta_h=0.1, mu=0.012, zeta=0.02),
+    "second map": lambda: OBJECTS["map"].second_approximation,
+    "map of mounts": lambda: OBJECTS["mount"].many(m=over("m")),
 }
 #: answers
 SINGLE = {
@@ -86,6 +91,7 @@ SINGLE = {
     "slopes of folds": lambda: OBJECTS["isolator"].saddle_nodes(0.04).gradient(),
     "met": lambda: meet(OBJECTS["isolator"], {"zeta": (0.01, 0.1)}, at_least={"F_SN": 0.03}),
     "mount's answer": lambda: OBJECTS["mount"].margins(5),
+    "mount's folds": lambda: OBJECTS["mount"].saddle_nodes(5),
     "mount at rest": lambda: OBJECTS["mount"].at_rest(),
 }
 #: those with several entries
@@ -169,6 +175,20 @@ def test_a_copy_is_what_it_was(name, how):
     other = COPIES[how](one)
     assert other == one and hash(other) == hash(one) and type(other) is type(one)
     assert not any(array.flags.writeable for array in arrays(other))
+
+
+@pytest.mark.parametrize("name", ["zeta", "zeeta", "values", "shape", "model", "scales", "_singles"])
+@pytest.mark.parametrize("what", [what for what in ASKS if "plan" not in what])  # they are tuples
+def test_whatever_is_asked_about_cannot_be_changed(what, name):
+    """No attribute can be added, as by a misspelling; and its printed form stays."""
+    one = OBJECTS[what]
+    before, printed = dict(vars(one)), repr(one)
+    with pytest.raises(AttributeError, match=rf"{name}.* cannot be set|cannot assign to field '{name}'"):
+        setattr(one, name, 0.5)
+    with pytest.raises(AttributeError, match=r"cannot be deleted|cannot delete field"):
+        delattr(one, name)
+    assert vars(one).keys() == before.keys() and all(vars(one)[key] is value for key, value in before.items())
+    assert repr(one) == printed
 
 
 @pytest.mark.parametrize("F_0", [0.01, 0.018, 0.04])

@@ -17,7 +17,6 @@ from slowflow.core import backend
 from slowflow_kernels.conventions import Status
 from tests import batch_questions
 from tests.batch_questions import columns
-from tests.interrupts import ENDING, interrupted
 from tests.sampling import slow
 
 ASK = {
@@ -59,44 +58,6 @@ def test_a_map_for_workers_is_refused_with_the_reason(more):
     """SciPy takes one, and so somebody will give one."""
     with pytest.raises(ValueError, match=r"workers = .*map.* is not allowed: threads write into shared arrays"):
         Isolator.many(lam=3, r=[1.0], delta_h=0.1, **more).detachment(workers=map)
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize(
-    "question",
-    [
-        "saddle_nodes(0.05)",
-        *(
-            pytest.param(one, marks=pytest.mark.slow)
-            for one in (
-                "saddle_nodes(0.05, workers=2)",
-                "saddle_node_onset()",
-                "saddle_node_onset(workers=2)",
-                "peak(0.05)",
-                "amplitudes(Omega=0.9, F_0=0.05)",
-                "frequency_response(0.05, samples=2)",
-                "certify(0.05)",
-                "margins(0.05)",
-                "hysteresis(0.05)",
-                "isolation(0.05)",
-                "second_approximation.saddle_nodes(0.05)",
-                "second_approximation.peak(0.05)",
-                "shock_spectrum(acceleration=0.1, duration=2.0)",
-            )
-        ),
-    ],
-)
-@pytest.mark.part(4)
-def test_ctrl_c_ends_a_batch(question):
-    """A batch of minutes: the interrupt is heard while it runs."""
-    count = 10**6 if question.startswith(("frequency_response", "shock")) else 10**7
-    program = (
-        "import numpy as np; from slowflow import Isolator\n"
-        f"r = np.linspace(0.5, 2.0, {count})\n"
-        "designs = Isolator.many(lam=3, r=r, delta_h=0.2 / r, mu=0.01, zeta=0.02)\n"
-        f"print('asked', flush=True); designs.{question}; print('answered', flush=True)"
-    )
-    assert interrupted(program) == ENDING
 
 
 @pytest.mark.parametrize("workers", [1, 2])

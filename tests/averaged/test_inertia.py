@@ -1,7 +1,6 @@
 """Excitation by inertia: certified cusps, closed forms, the linear mount, exact motions, refusals."""
 
 import math
-import pickle
 
 import numpy as np
 import pytest
@@ -331,7 +330,7 @@ def test_what_is_not_available_is_refused_in_words():
 
 def test_an_oscillator_keeps_its_excitation():
     iso = Isolator(**example.TABLE_1, excitation="base")
-    assert iso == pickle.loads(pickle.dumps(iso)) == iso.replace() != iso.replace(excitation="unbalance")
+    assert iso == iso.replace() != iso.replace(excitation="unbalance")
     assert "excitation='base'" in repr(iso)
     assert "excitation" not in repr(iso.replace(excitation="force"))
 

@@ -138,7 +138,7 @@ def test_amplitudes_and_data_broadcast_and_keep_their_units():
     assert rows["a"].tolist() == [0.5, 0.5, 0.8, 0.8, 1.1, 1.1] and "A/mm" in str(found)
     folds = mounts.saddle_nodes(Y="3 mm")
     assert folds.units_of_columns()["f_0"] == "Hz" and folds.kind.max() <= max(FoldKind)
-    assert pickle.loads(pickle.dumps(found)) == found and pickle.loads(pickle.dumps(mounts)) == mounts
+    assert pickle.loads(pickle.dumps(found)) == found
 
 
 @pytest.mark.parametrize("question, of", [("saddle_node_onset", "F_SN"), ("saddle_nodes", "A"), ("peak", "f")])

@@ -88,8 +88,16 @@ def test_designs_that_take_50_ms_each_are_asked_few_at_a_time(monkeypatch):
     assert done == 1000
 
 
+#: of batches: each takes minutes
+OF_DESIGNS = (
+    *("saddle_nodes(0.05)", "saddle_nodes(0.05, workers=2)", "saddle_node_onset()", "saddle_node_onset(workers=2)"),
+    *("peak(0.05)", "amplitudes(Omega=0.9, F_0=0.05)", "frequency_response(0.05, samples=2)", "certify(0.05)"),
+    *("margins(0.05)", "hysteresis(0.05)", "isolation(0.05)", "second_approximation.saddle_nodes(0.05)"),
+    *("second_approximation.peak(0.05)", "shock_spectrum(acceleration=0.1, duration=2.0)"),
+)
 #: minutes, each; a design of the second approximation takes half a millisecond, where an onset takes some microseconds
 LONG = {
+    **{f"a batch: {question}": f"designs.{question}" for question in OF_DESIGNS},
     "an answer": "isolator().amplitudes(Omega=np.linspace(0.1, 2.0, 3 * 10**7), F_0=0.04)",
     "slow designs": "Isolator.many(**batch | {'zeta': np.full(10**6, 0.02)}).second_approximation.saddle_nodes(0.04)",
     "a slow sweep": "Duffing(1.0, 0.1, 0.01, 0.01).sweep(Omega=np.linspace(0.01, 0.02, 10**6), F_0=0.1)",
@@ -108,11 +116,14 @@ LONG = {
 @pytest.mark.parametrize("what", LONG)
 @pytest.mark.part(4)
 def test_ctrl_c_ends_what_takes_minutes(what):
+    count = 10**6 if "frequency_response" in what or "shock" in what else 10**7
     # SciPy, which some ask for first, is not what is interrupted: its modules say so in words of their own
     program = (
         "import numpy as np, scipy.optimize; from slowflow import Duffing, Isolator\n"
         "from slowflow.example import isolator\n"
         "batch = dict(lam=3, r=2, delta_h=0.08, mu=0.01, zeta=np.linspace(0.02, 0.1, 10**5))\n"
+        f"r = np.linspace(0.5, 2.0, {count if LONG[what].startswith('designs') else 1})\n"
+        "designs = Isolator.many(lam=3, r=r, delta_h=0.2 / r, mu=0.01, zeta=0.02)\n"
         f"print('asked', flush=True); {LONG[what]}; print('answered', flush=True)"
     )
     assert interrupted(program) == ENDING
