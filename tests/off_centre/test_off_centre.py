@@ -735,6 +735,14 @@ def test_an_onset_whose_search_begins_at_it_is_answered():
     assert neighbour.F_SN == pytest.approx(expected, rel=(1e-5 / 0.03) ** 2)
 
 
+def test_an_onset_is_the_same_after_other_questions():
+    """A larger forcing needs larger amplitudes, which have no part in the search for the least one."""
+    design = dict(lam=4.0, r=6.28, delta_h=0.0246, mu=0.00014, zeta=0.0153, excitation="unbalance", load=-0.00765)
+    first, after = Isolator(**design), Isolator(**design)
+    after.saddle_nodes(0.1)
+    assert first.saddle_node_onset().F_SN == after.saddle_node_onset().F_SN is not None
+
+
 def test_motion_unknown_to_averaging_is_found_by_amplitude():
     """Averaging has one at A = 0.1275 there, of which the exact one is unstable; what a sweep sees is larger."""
     design = {"lam": 4, "r": 1.7557163929700856, "delta_h": 0.1196097311753126, "zeta": 0.013149868738899468}

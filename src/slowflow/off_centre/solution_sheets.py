@@ -111,9 +111,14 @@ class Sheets:
         """
         octave, done = self._octave(A_max), []
         if (cells := self._known.get(octave)) is None:
-            self.steps.check_balanced()
-            with np.errstate(all="ignore"):
-                cells = self._known[octave] = self.looked_at(*self._first(2.0**octave), 2.0**octave)
+            # those of a larger amplitude hold these too, but a search must not look at more for an earlier question
+            if (larger := min((one for one in self._known if one > octave), default=None)) is not None:
+                cells = self._known[larger].take(self._known[larger].A.lo <= 2.0**octave)
+            else:
+                self.steps.check_balanced()
+                with np.errstate(all="ignore"):
+                    cells = self.looked_at(*self._first(2.0**octave), 2.0**octave)
+            self._known[octave] = cells
         if may is None:
             return cells
         with np.errstate(all="ignore"):
@@ -158,14 +163,13 @@ class Sheets:
         return np.asarray((high - low) * np.where(self.charts.rooted[:, chart], 2 * high, 1.0))
 
     def _octave(self, A_max: float) -> int:
-        """The least that is known and holds an amplitude, or that of the amplitude.
+        """The least that holds an amplitude.
 
         Raises OverflowError for an amplitude that is not known to be below `FARTHEST`.
         """
         if not A_max < FARTHEST:
             raise OutOfRange(TOO_FAR.format(A_max))
-        needed = math.ceil(math.log2(A_max))
-        return min((octave for octave in self._known if octave >= needed), default=needed)
+        return math.ceil(math.log2(A_max))
 
     def corners(self, A_max: float) -> tuple[list[Corner], Floats]:
         """All corners, and A and B next to which there may be others, (2, k)."""
