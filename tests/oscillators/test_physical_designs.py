@@ -106,6 +106,19 @@ def test_the_second_approximation_of_many_mounts_is_each_alone(question):
         same(found, answered(single, question, "force"), k)
 
 
+@pytest.mark.parametrize("question", [name for name in QUESTIONS if name != "rest"])
+@pytest.mark.parametrize("law", [{}, {"c_2": 5.0}])
+def test_a_law_that_cubic_springs_lack_is_no_obstacle(question, law):
+    """To shocks, random vibration and proofs."""
+    mount = Duffing.physical(m=12, k_1=2500, k_3=4e5, friction=0.4, c=8.0, **law)
+    found = answered(mount.many(m=[11.0, 12.0]), question, "force")
+    single = answered(mount, question, "force")
+    if isinstance(found, str):
+        assert "c_2" in found and isinstance(single, str)
+    else:
+        same(found, single, 1)
+
+
 @pytest.mark.parametrize("damping", [{"zeta": 0.02}, {"c": 8.0}])
 @pytest.mark.parametrize("springs", [(2500.0, 4e5), (2500.0, 0.0), (0.0, 4e5), (-500.0, 4e6)])
 def test_many_cubic_springs_are_answered_as_alone(springs, damping):

@@ -80,6 +80,11 @@ def is_single(value: Any) -> TypeGuard[float]:
     return not isinstance(value, (list, tuple)) and getattr(value, "ndim", 0) == 0
 
 
+def is_zero(value: Any) -> bool:
+    """Whether a value is a plain 0, which of a damping law or of a load means that there is none."""
+    return type(value) in (int, float, np.float64) and value == 0
+
+
 def _is_number(value: Any) -> bool:
     if isinstance(value, (bool, np.bool_)):
         return False

@@ -26,8 +26,8 @@ def designs_of(
     """
     validate.excitation(excitation, tuple(EXCITATIONS))
     validate.choice("contact", contact, tuple(CONTACTS))
-    values |= {name: value for name, value in laws.items() if not _is_none(value)}
-    if not mechanism.odd or not _is_none(load):
+    values |= {name: value for name, value in laws.items() if not validate.is_zero(value)}
+    if not mechanism.odd or not validate.is_zero(load):
         why = off_centre_by(mechanism, 0.0) or "load"
         others = [name for name in laws if name in values and name not in WITH_MEAN]
         validate.is_plain(why, ", ".join([*others, *[f"contact = {contact!r}"] * (contact != THROUGHOUT)]))
@@ -45,8 +45,3 @@ def designs_of(
     from slowflow.grid.designs import Grid
 
     return Grid(mechanism, designs, values)
-
-
-def _is_none(value: Any) -> bool:
-    """Whether it is a plain 0."""
-    return type(value) in (int, float) and value == 0

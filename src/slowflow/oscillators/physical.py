@@ -25,6 +25,7 @@ from slowflow.oscillators.arguments import PLAIN, REMARKS, TakesAmplitude, densi
 from slowflow.oscillators.measurements import Columns
 from slowflow.support.errors import OutOfRange, Refused
 from slowflow.support.text import in_units
+from slowflow_kernels.domains import DISSIPATION
 
 if TYPE_CHECKING:
     from typing import Unpack
@@ -115,7 +116,9 @@ class Physical(TakesAmplitude):
         """
         from slowflow.oscillators.physical_designs import PhysicalDesigns
 
-        sheet = self._changed(changes)
+        laws = {self.scales.measures[one.name][0] for one in DISSIPATION}
+        changed = self._changed(changes).items()
+        sheet = {name: value for name, value in changed if not (name in laws and validate.is_zero(value))}
         validate.known_arguments(self._kind.physical, sheet, tuple(inspect.signature(self._kind.physical).parameters))
         make: Any = PhysicalDesigns
         if any(validate.is_labelled(getattr(value, "magnitude", value)) for value in changes.values()):
