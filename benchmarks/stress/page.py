@@ -28,28 +28,30 @@ GROUPS = {
 U = 2.0**-53
 #: what is known of kernels that miss the target
 WHY = {
-    "rod_spring.F_A": "the errors of h and h_A are 0.3 u (1 + kappa), with kappa 20 and 21; in F_A they cancel, "
-    "to kappa = 1.2. From h and h_A rounded once, the error is 0.74",
-    "rod_spring.fold_quartic": "the coefficient h h_A: the errors of h and h_A are 0.3 and 2.1 u (1 + kappa), with "
-    "kappa 5 and 7 of opposite signs; the product has kappa = 1.3. From h and h_A rounded once, the error is 0.67",
+    "rod_spring.F_A": "the errors of h and h_A are 0.3 u (1 + kappa), with kappa 20 and 21; in F_A these sensitivities "
+    "cancel, which leaves kappa = 1.2. With h and h_A rounded correctly, the error would be 0.74",
+    "rod_spring.fold_quartic": "the errors of h and h_A are 0.3 and 2.1 u (1 + kappa), with kappa 5 and 7; in the "
+    "coefficient h h_A the sensitivities have opposite signs, which leaves kappa = 1.3. With h and h_A rounded "
+    "correctly, the error would be 0.67",
     "rod_spring.saddle_node_onset": "the coefficient of A^20 is a sum of seven products of both signs, each rounded "
     "several times; the largest is 11 times the sum, their absolute values are 24 times the sum, and 1 + kappa is 17",
-    "rod_spring_untruncated.F_A": "as for rod_spring, the conditions of h and h_A cancel. A longer search found 5.6",
-    "rod_spring_untruncated.harmonics": "T_5 = 16 s^5 - 20 s^3 + 5 s: the fifth harmonic is a difference",
-    "rod_spring_untruncated.stability": "far above u_cr and at low frequencies the product of two numbers near -1 "
-    "that hardly depend on the arguments: seven roundings of one u each, while kappa is near 0",
+    "rod_spring_untruncated.F_A": "as for rod_spring, the sensitivities of h and h_A cancel. A longer search found 5.6",
+    "rod_spring_untruncated.harmonics": "the fifth harmonic contains T_5 = 16 s^5 - 20 s^3 + 5 s, whose terms cancel",
+    "rod_spring_untruncated.stability": "far above u_cr and at low frequencies it is the product of two numbers near "
+    "-1 that hardly depend on the arguments: there are seven roundings of one u each, while kappa is near 0",
 }
 
 HEAD = """# Rounding errors: worst cases found by search
 
-Written by `make stress`. Numbers and exact points, of every kernel: `benchmarks/results/stability.json`. The worst
-points are replayed by `tests/averaged/test_stability.py`, where no error may grow.
+Written by `make stress`. `benchmarks/results/stability.json` has all numbers and the exact points.
+`tests/averaged/test_stability.py` evaluates the worst points again; no error may grow.
 
-Errors are in u (1 + κ), u = 2^-53. κ is the relative condition number of a result in all its arguments: rounding each
-argument once, and the result once, may cost as much. A search starts from the worst of the points drawn and moves
-single coordinates by ulps and by factors while the error grows, so each figure is a lower bound of the true
-maximum. Exact values: kernels to 40 digits and more, roots by FLINT, answers by Newton's method in 420 bits, counts
-by proof.
+Errors are in u (1 + κ), u = 2^-53, where κ is the relative condition number of a result in all its arguments: rounding
+each argument once, and the result once, may cause an error of this size. Each search starts from the worst of many
+random points and moves single coordinates, by ulps and by factors, while the error grows. So each error is a lower
+bound of the true maximum. The exact values are computed to 40 digits or more for kernels, by FLINT for roots, by
+Newton's method in 420 bits for answers, and by proof for counts. `rod_spring` is the paper's isolator, `duffing` the
+cubic spring.
 """
 
 
@@ -107,9 +109,9 @@ KERNELS: Columns = {
     "kernel": kernel_name,
     "points": counted("points"),
     "error / u(1+κ)": error(kernels.TARGET),
-    "NumPy there": at_worst(by_numpy),
-    "1 + κ there": condition,
-    "where": at_worst(lambda row, worst: where(row["names"], worst["at"])),
+    "NumPy kernel": at_worst(by_numpy),
+    "1 + κ": condition,
+    "worst point": at_worst(lambda row, worst: where(row["names"], worst["at"])),
 }
 ROOTS: Columns = {
     "roots": itemgetter("kind"),
@@ -117,14 +119,14 @@ ROOTS: Columns = {
     "cases": counted("cases"),
     "wrong counts": counted("wrong"),
     "error / u(1+κ)": error(),
-    "1 + κ there": condition,
+    "1 + κ": condition,
 }
 ANSWERS: Columns = {
     "force": itemgetter("mechanism"),
     "answer": itemgetter("kind"),
     "answers": counted("answers"),
     "error / u(1+κ)": error(answers.TARGET),
-    "1 + κ there": condition,
+    "1 + κ": condition,
     "no reference": counted("alone"),
 }
 COUNTS: Columns = {
@@ -200,10 +202,10 @@ def scale_lines(found: list[Numbers]) -> list[str]:
     return [
         "### Millions of cases against proofs in intervals",
         "",
-        "Double precision without ball arithmetic. Many decades of damping, with and without friction; some",
-        "frequencies lie next to folds. *Differ*: cases whose number is not the proved one, and that are not marked as",
-        "undecided. Where only the proof fails, ball arithmetic agrees wherever it was tried",
-        "(`tests/averaged/test_undecided.py`).",
+        "Here double precision is tested without ball arithmetic, over many decades of damping, with and without",
+        "friction; some frequencies lie next to folds. *Differ* counts numbers that are not the proved ones and are",
+        "not marked as undecided. For some of the cases under *not proved*, ball arithmetic was tried; it always",
+        "agrees (`tests/averaged/test_undecided.py`).",
         "",
         *columns_of(SCALE, found),
         "",
@@ -309,18 +311,18 @@ def in_short(numbers: Numbers) -> list[str]:
     lines = [
         f"- **Kernels, target {kernels.TARGET:g} u (1 + κ)**: {len(found) - len(beyond)} of {len(found)} meet it; "
         + (f"{len(beyond)} miss it and are listed below." if beyond else "none misses it."),
-        f"- **Roots in Omega, target {roots.TARGET:g} u (1 + κ)**: the worst of {quartics:,} is "
-        f"{number(max(value(w['error']) for w in of_roots))}; {wrong_roots} wrong root counts.",
+        f"- **Roots in Omega, target {roots.TARGET:g} u (1 + κ)**: the worst of {quartics:,} cases has "
+        f"{number(max(value(w['error']) for w in of_roots))}; {wrong_roots} cases have a wrong number of roots.",
         f"- **Answers, target {answers.TARGET:g} u (1 + κ)**: {len(of_answers) - len(missed)} of {len(of_answers)} "
         f"kinds meet it{'; the others are marked below' if missed else ''}.",
-        f"- **Counts, target none wrong of 10^7**: of {cases:,} cases near levels at which the count changes, "
-        f"{wrong:,} are wrong and not marked; {marked:,} ({marked / cases:.1%}) are marked as undecided in double "
-        f"precision. Ball arithmetic, for {balls:,} of these, leaves {open_:,} undecided and {wrong_balls:,} wrong. "
-        f"Of {many:,} further cases, {differ:,} differ from a proof and are not marked, {of_many:,} "
-        f"({of_many / many:.1%}) are marked, and {unproved:,} have no proof.",
+        f"- **Numbers of states and folds, target none wrong of 10^7**: of {cases:,} cases near forcings at which the "
+        f"number changes, {wrong:,} are wrong without being marked; {marked:,} ({marked / cases:.1%}) are marked as "
+        f"undecided in double precision. Ball arithmetic was tried on {balls:,} of these; {open_:,} stay undecided, "
+        f"{wrong_balls:,} are wrong. Of {many:,} further cases, {differ:,} differ from the proved number without being "
+        f"marked, {of_many:,} ({of_many / many:.1%}) are marked, and for {unproved:,} the proof fails.",
         f"- **Proofs, target 99 % of folds in double precision, in at most twice the time**: "
-        f"{fraction(numbers['proofs'][0], 'folds', 'alone')} at {numbers['proofs'][0]['ratio']:.2f} times the time of "
-        f"`saddle_nodes`, median; with balls {balls_fraction(numbers['proofs'][0])}.",
+        f"{fraction(numbers['proofs'][0], 'folds', 'alone')} are proved, in {numbers['proofs'][0]['ratio']:.2f} times "
+        f"the time of `saddle_nodes` (median); with ball arithmetic {balls_fraction(numbers['proofs'][0])}.",
     ]
     return lines
 
@@ -352,24 +354,24 @@ def page(numbers: Numbers) -> str:
         "",
         *(f"- {name}: {WHY.get(name, 'the cause is not known')}." for name in map(kernel_name, missed)),
         "",
-        "Arguments lie within the bounds of `benchmarks/stress/domains.py` and the domain of the formula. Hard",
-        "cases, with the symbols of that file, are drawn on purpose: "
-        + "; ".join(domains.LOCATIONS)
-        + ". Kernels of gradients with",
-        "viscous damping and dry friction alone are not searched.",
+        "Arguments lie within the domain of the formula and the bounds of `benchmarks/stress/domains.py`. Points of",
+        f"{len(domains.LOCATIONS)} difficult kinds, which that file lists, are drawn on purpose: at an ulp from u_cr,",
+        "on the backbone, at cusps, with vanishing damping. Gradient kernels for viscous damping and dry friction",
+        "alone are not searched.",
         "",
         "### At 1e±150 and subnormal numbers",
         "",
-        f"With arguments at {', '.join(f'{x:.3g}' for x in domains.EXTREME)}: {kept} of {tried} kernels",
-        "of the general case are as accurate there wherever the result is a normal double. The others overflow, or",
-        "lose digits to underflow, in intermediate results:",
+        f"Some arguments are {', '.join(f'{x:.3g}' for x in domains.EXTREME)}. {kept} of {tried} kernels",
+        "of the general case keep their accuracy wherever the result is a normal double. In the others an intermediate",
+        "result overflows, or loses digits by underflow:",
         "",
-        *table(("kernel", "beyond the target", "worst", "where"), extreme),
+        *table(("kernel", "points beyond the target", "error / u(1+κ)", "worst point"), extreme),
         "",
         "### Proved bounds",
         "",
         "For kernels that are polynomials, or polynomials over monomials, a bound can be proved for all arguments,",
-        "without overflow and underflow; the header of each generated function states it. All else is measured.",
+        "without overflow and underflow; the header of each generated function states it. The errors of other kernels",
+        "are only measured.",
         "",
         "## Roots in Omega",
         "",
@@ -386,9 +388,9 @@ def page(numbers: Numbers) -> str:
         "![Errors of answers against condition](stability_answers.png)",
         "",
         "κ is the condition number with respect to parameters and forcing, plus that with respect to kernel values.",
-        "*No reference*: results near which Newton's method finds no solution within 1 %: an ulp above 4 mu/pi, at the",
-        "tip of a curve with zeta of 1e-9 and less, and on the corner. A fold closer to u_cr than doubles resolve is",
-        "returned at a double next to u_cr, where A may miss the target.",
+        "*No reference* counts results for which Newton's method finds no exact solution within 1 %: with F_0 an ulp",
+        "above 4 mu/pi, at the peak of a curve with zeta of 1e-9 and less, and on the corner. A fold closer to u_cr",
+        "than doubles resolve is returned at a double next to u_cr, where A may miss the target.",
         "Ranges: " + "; ".join(f"{name} {low:g} to {high:g}" for name, (low, high) in answers.BOUNDS.items()) + ".",
         "",
         *columns_of(ANSWERS, of_answers),
@@ -397,10 +399,11 @@ def page(numbers: Numbers) -> str:
         *unjudged_lines(of_answers),
         "## Numbers of states and folds",
         "",
-        "Forcings at relative distances from an ulp to 0.1 from levels at which the number changes, and between them;",
-        f"{counts.FORCINGS['states']} at each frequency, {counts.FORCINGS['folds']} of each oscillator, zeta from 1e-4",
-        f"to 0.5. *Next to a level* means within {counts.UNDECIDED:g} u (1 + κ) of it, as far as rounding the",
-        "arguments once may shift it. *Wrong* numbers are not marked as undecided; of the *undecided* ones",
+        "A level is a forcing at which the number of states or folds changes. The forcings lie between the levels and",
+        f"at relative distances of an ulp to 0.1 from them: {counts.FORCINGS['states']} at each frequency for states,",
+        f"{counts.FORCINGS['folds']} for each oscillator for folds, with zeta from 1e-4 to 0.5. *Next to a level*",
+        f"means within {counts.UNDECIDED:g} u (1 + κ) of it: rounding the arguments once may shift the level across",
+        "the forcing. *Wrong* numbers are those that are not marked as undecided. Of the *undecided* ones",
         f"{counts.ASKED_OF_BALLS:.0%}, drawn at random, were repeated in ball arithmetic.",
         "",
         *columns_of(COUNTS, totals(numbers["counts"])),
@@ -412,11 +415,12 @@ def page(numbers: Numbers) -> str:
         *proof_lines(numbers["proofs"][0]),
         "## Common alternatives",
         "",
-        "Other methods on the decided cases: `numpy.roots` on the coefficients of (24), a sign change between the",
-        "points of a grid and `brentq`, `fsolve` from a grid of starts, `numpy.roots` on the resultant's coefficients.",
+        "Other methods were tried on the cases that are not marked as undecided: `numpy.roots` on the coefficients of",
+        "(24), `brentq` where the sign changes between points of a grid, `fsolve` from a grid of starting points,",
+        "`numpy.roots` on the coefficients of the resultant.",
         "",
         *table(
-            ("question", "method", "wrong counts", "error / u(1+κ)", "slowflow: wrong counts", "error"),
+            ("question", "method", "wrong counts", "error / u(1+κ)", "slowflow: wrong counts", "slowflow: error"),
             by_other(numbers),
         ),
         "",
@@ -435,7 +439,7 @@ def refused_lines(numbers: Numbers) -> list[str]:
     if not refused:
         return []
     rows = [(mechanism, message, str(len(all_)), all_[0]) for (mechanism, message), all_ in refused.items()]
-    return ["Refused in words:", "", *table(("force", "words", "times", "for one"), rows), ""]
+    return ["Refused:", "", *table(("force", "message", "times", "for example"), rows), ""]
 
 
 def unjudged_lines(found: list[Numbers]) -> list[str]:
@@ -497,14 +501,15 @@ def proof_lines(numbers: Numbers) -> list[str]:
     unproved = [row for found in families.values() for row in found["unproved"]]
     slowest = max(found["slowest"] for found in numbers["families"].values())
     lines = [
-        f"`Isolator.certify` of {numbers['isolators']:,} random isolators, in intervals of doubles: 1 to",
-        f"{proofs.MOST_SPRINGS} springs, {drawn}, *excess* being F_0/(4 mu/pi) - 1. The relative width of an",
-        f"enclosure of A is {numbers['width']:.2g}, median, {numbers['widest']:.2g} at most. All of Table 2",
-        f"takes {1e3 * numbers['table_2']:.2g} ms. Undecided cases are repeated in ball arithmetic of 128 or 512 bits,",
-        f"by python-flint, in {slowest:.2g} s at most. In hard families one parameter is extreme: delta_h to",
-        "1 - 10^-16 and to 10^-12, alpha to 10^-16, excess from 10^-16 to 10^-6; and the untruncated force.",
+        f"`Isolator.certify` was tried on {numbers['isolators']:,} random isolators, with intervals of doubles: 1 to",
+        f"{proofs.MOST_SPRINGS} springs, {drawn}, where *excess* is F_0/(4 mu/pi) - 1. The enclosures of A have a",
+        f"relative width of {numbers['width']:.2g} (median) and of {numbers['widest']:.2g} at most. The proof of",
+        f"Table 2 takes {1e3 * numbers['table_2']:.2g} ms. Undecided cases are repeated in ball arithmetic of 128 or",
+        f"512 bits by python-flint, which takes {slowest:.2g} s at most. In four families of hard cases one parameter",
+        "is extreme: delta_h up to 1 - 10^-16, delta_h down to 10^-12, alpha down to 10^-16, excess from 10^-16 to",
+        "10^-6. The last family has the untruncated force.",
         "",
-        *table(("drawn", *(f"{what}, by doubles" for what in proofs.QUESTIONS), "all, with balls"), by_family),
+        *table(("isolators", *(f"{what}, by doubles" for what in proofs.QUESTIONS), "all, with balls"), by_family),
         "",
         "Folds near F_SN, where two of them coincide within rounding:",
         "",

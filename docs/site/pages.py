@@ -37,8 +37,8 @@ PURPOSES = {
     "Exact motions and second approximation": r"exact|second",
     "Tolerances, requirements, fits": r"sizing",
     "Custom restoring forces": r"derive$|mechanism$",
-    "Results": r"results|answer|quantities|certificate|gradient|transmitted|validity",
-    "Input files, progress, codes": r"",
+    "Results": r"results|answer|quantities|certificate|gradient|transmissibility|checks|validity",
+    "Input files, other languages, progress, codes": r"",
 }
 LINK = re.compile(r"(!?\[[^\]\n]+\])\((?!https?:|#|mailto:)([^)#\s]+)(?:#([^)\s]*))?\)")
 
