@@ -239,10 +239,11 @@ linear spring, mu = 0.2, F_0 = 1.
 """
 HEAD = """# Benchmarks: speed, accuracy, other tools
 
-Written by `make bench`. Times are medians of processor time on one machine. Comparisons were measured in turn in one
-run, unless a row says otherwise. Errors are relative, or in u (1 + κ), u = 2^-53, with the condition number κ.
-[Further measurements](../benchmarks/results/README.md): error against time in numbers, exact motions, custom
-forces, maps.
+Written by `make bench`. Times are medians of processor time. The two tools of a comparison were measured in turn in
+one run, unless the row says otherwise. Tables come from different runs: the same job may take a quarter longer in one
+than in another. Errors are relative, or in u (1 + κ), u = 2^-53, with the condition number κ.
+[Further measurements](../benchmarks/results/README.md) have errors against time in numbers, exact motions, custom
+forces and maps.
 """
 DETAILS = """# Further measurements
 
