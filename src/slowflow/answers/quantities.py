@@ -328,19 +328,22 @@ class Quantities(Answer):
 
     def largest(self, duration: Numbers) -> Floats:
         """Compute the mean largest |x| in m of random vibration within a duration in s: `RandomResponse.largest`."""
-        answer, sizes = self._random()
-        return np.asarray(answer.largest(si("duration", duration, "s") / sizes["time"]) * sizes["length"])
+        answer, scales = self._random()
+        with scales.in_these_terms():
+            found = answer.largest(si("duration", duration, "s") / scales.sizes["time"])
+        return np.asarray(found * scales.sizes["length"])
 
     def response_psd(self, f: Numbers) -> Floats:
         """Compute the one-sided density of x in m^2/Hz at frequencies in Hz, of random vibration, (motions, n)."""
-        answer, sizes = self._random()
-        density = answer.response_psd(np.asarray(si("f", f, "Hz"), dtype=float) / sizes["frequency"])
-        return np.asarray(density * sizes["length"] ** 2 / sizes["frequency"])
+        answer, scales = self._random()
+        with scales.in_these_terms():
+            density = answer.response_psd(np.asarray(si("f", f, "Hz"), dtype=float) / scales.sizes["frequency"])
+        return np.asarray(density * scales.sizes["length"] ** 2 / scales.sizes["frequency"])
 
-    def _random(self) -> tuple[Any, dict[str, float]]:
+    def _random(self) -> tuple[Any, Scales]:
         if self.scales is None or not hasattr(self.answer, "response_psd"):
             raise Refused("only answers of random vibration have this")
-        return self.answer, self.scales.sizes
+        return self.answer, self.scales
 
     def _figure(self) -> str:
         return drawn(self, picture) if (picture := getattr(self.answer, "picture", "")) else ""

@@ -36,7 +36,7 @@ from slowflow.core.model import THROUGHOUT, Floats, Laws, Model, SlowFlow, check
 from slowflow.support import progress
 from slowflow.support.errors import Refused
 from slowflow.support.immutable import Unchanging
-from slowflow.support.text import text
+from slowflow.support.text import text, together
 from slowflow_kernels import inertia
 from slowflow_kernels.conventions import FoldKind, OnsetKind, Status
 from slowflow_kernels.domains import DAMPING, DISSIPATION
@@ -237,8 +237,8 @@ class Designs(Unchanging, ManyQuestions[Batch, Reals]):
     def laws(self) -> str:
         """A description of the damping laws other than mu and zeta; empty without."""
         values = ((one.name, self.values[one.name]) for one in DISSIPATION if one.name in self.values)
-        texts = [f"{name} = {value}" if value.ndim == 0 else f"an array of {name}" for name, value in values]
-        return ", ".join(texts if self.contact == THROUGHOUT else [*texts, f"contact = {self.contact!r}"])
+        texts = [text(f"an array of {{{name}}}" if value.ndim else f"{{{name} = :r}}", value) for name, value in values]
+        return together(", ", texts if self.contact == THROUGHOUT else [*texts, f"contact = {self.contact!r}"])
 
     @cached_property
     def _flow(self) -> SlowFlow:

@@ -32,9 +32,10 @@ from slowflow.answers.results import (
 from slowflow.averaged import diagnostics, messages, pairs, plan, proofs, solvers
 from slowflow.averaged.defined import check_defined
 from slowflow.core import validate
-from slowflow.core.model import THROUGHOUT, Floats, Model
+from slowflow.core.model import Floats, Model
 from slowflow.support.errors import OutOfRange, Refused
 from slowflow_kernels import dissipation
+from slowflow_kernels.domains import DISSIPATION
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -141,6 +142,11 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
         """Raises ValueError where no proof of the averaged equations is derived."""
         validate.is_force("certify", self.model.excitation)
         validate.is_plain("certify", self.model.laws.description())
+
+    def _check_envelope(self) -> None:
+        """Raises ValueError where no envelope is derived."""
+        laws = [one.name for one in DISSIPATION]
+        validate.is_plain("limit_envelope", self.model.laws.description(*laws), *laws)
 
     def _saddle_nodes(self, F_0: float) -> SaddleNodes:
         return self._remarked(self.folds(F_0), F_0)
@@ -372,8 +378,7 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
         ValueError
             For contact="attached": beyond u_cr the friction term of I decreases, and I = F_0 has no closed form.
         """
-        if self.model.laws.contact != THROUGHOUT:
-            validate.is_plain("limit_envelope", self.model.laws.description())
+        self._check_envelope()
         Omega, F_0 = validate.positive_array("Omega", Omega), validate.positive_array("F_0", F_0)
         shape = validate.common_shape({"Omega": Omega, "F_0": F_0})
         force = self.model.force(F_0, Omega)
@@ -516,8 +521,8 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
             raise Refused(f"question = {question!r} is not allowed: it must be one of {allowed}")
         if question == "certify":
             self._check_proof()
-        if question == "limit_envelope" and self.model.laws.contact != THROUGHOUT:
-            validate.is_plain(question, self.model.laws.description())
+        if question == "limit_envelope":
+            self._check_envelope()
         return plan.plan(question, plan.forcing(question, F_0), self.model, self.__dict__.get("_onset"))
 
     def onset(self, allowance: proofs.Allowance | None = None) -> SaddleNodeOnset:

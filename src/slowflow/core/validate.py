@@ -153,10 +153,15 @@ def is_in_time(question: str, laws: Iterable[str]) -> None:
         raise NotAvailable(f"{question} is not available with eta: structural damping is defined at one frequency")
 
 
-def is_plain(question: str, laws: str) -> None:
-    """NotAvailable where a question is asked of an oscillator with other laws of damping, which are named."""
+def is_plain(question: str, laws: str, *allowed: str) -> None:
+    """NotAvailable where a question is asked of an oscillator with other laws of damping, which are named.
+
+    allowed -- laws that may be present beside mu and zeta
+    """
     if laws:
-        raise NotAvailable(text("{question:s} is not available with {laws:s}, only with {mu} and zeta", question, laws))
+        *others, last = "{mu}", "zeta", *(f"{{{law}}}" for law in allowed)
+        known = f"{', '.join(others)} and {last}"
+        raise NotAvailable(text(f"{{question:s}} is not available with {{laws:s}}, only with {known}", question, laws))
 
 
 def choice(name: str, value: Any, allowed: tuple[str, ...]) -> str:

@@ -14,6 +14,7 @@ from slowflow.core import validate
 from slowflow.core.mechanism import Mechanism
 from slowflow.core.model import THROUGHOUT, WITH_MEAN, off_centre_by
 from slowflow.grid.many import Designs
+from slowflow.support.text import text, together
 from slowflow_kernels.domains import CONTACTS, EXCITATIONS
 
 
@@ -29,8 +30,9 @@ def designs_of(
     values |= {name: value for name, value in laws.items() if not validate.is_zero(value)}
     if not mechanism.odd or not validate.is_zero(load):
         why = off_centre_by(mechanism, 0.0) or "load"
-        others = [name for name in laws if name in values and name not in WITH_MEAN]
-        validate.is_plain(why, ", ".join([*others, *[f"contact = {contact!r}"] * (contact != THROUGHOUT)]))
+        others: list[str] = [text(f"{{{name}}}") for name in laws if name in values and name not in WITH_MEAN]
+        others += [f"contact = {contact!r}"] * (contact != THROUGHOUT)
+        validate.is_plain(why, together(", ", others), *WITH_MEAN)
         values["load"] = load
     named = any(validate.is_labelled(value) for value in values.values())
     numbers = dict.fromkeys(values, np.empty(0)) if named else values

@@ -179,7 +179,7 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
     @staticmethod
     def _check_offset(question: str, laws: Laws) -> None:
         """Refuse laws that are not derived for offset motions, of which |u| passes u_cr on one side only."""
-        validate.is_plain(question, laws.description(*WITH_MEAN))
+        validate.is_plain(question, laws.description(*WITH_MEAN), *WITH_MEAN)
 
     @property
     def _off_centre_by(self) -> str:
