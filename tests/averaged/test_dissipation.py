@@ -138,6 +138,11 @@ def test_states_and_folds_are_those_of_a_fine_grid(make, forcings):
         assert_complete(osc, F_0)
 
 
+def test_states_of_strong_cubic_damping_are_those_of_a_fine_grid():
+    """The slope of F by Omega is least far below where that of R is, and there alone it is negative."""
+    assert_complete(Duffing(1.0, 0.0, zeta=1e-3, c_3=20.0), 0.5)
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("make", [*cubic(0.0, 2.0, c_2=0.1), functools.partial(loose_mount, c_2=0.1)])
 def test_quadratic_damping_alone_has_folds_down_to_rest(make):
@@ -673,6 +678,23 @@ def test_softening_spring_below_the_structural_limit_has_no_top():
     peak = one.peak(F_0)
     assert (peak.A, peak.Omega) == (None, None) and "no peak within the well" in peak.message
     assert one.closes(F_0)
+
+
+@pytest.mark.parametrize(
+    ("parameters", "F_0", "stable"),
+    [
+        ((1.0490908511173316, 0.02034078404714834, 0.018195036097607618), 0.03505533373106251, [1, 0, 1]),
+        ((3.288510980084308, 0.02491119681378264, 0.006397619438541659), 0.030445081089299535, [1, 0, 1, 0, 1]),
+    ],
+)
+def test_states_of_the_same_double_alternate_in_stability(parameters, F_0, stable):
+    """Next to a fold on the corner, as F passes 0 upward and downward in turn. By other laws no proof orders them."""
+    iso = Isolator(lam=3.0, mu=0.02, eta=0.01, **dict(zip(("r", "delta_h", "zeta"), parameters, strict=True)))
+    folds = iso.saddle_nodes(F_0)
+    (Omega,) = folds.Omega[folds.corner]
+    states = iso.amplitudes(Omega=Omega * (1 + 2.0**-52), F_0=F_0)
+    assert states.Omega_undecided.size and np.count_nonzero(np.diff(states.A) == 0) == 1
+    assert states.stable.tolist() == stable
 
 
 @pytest.mark.slow

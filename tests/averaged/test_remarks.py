@@ -107,6 +107,22 @@ def test_folds_at_rest_are_said_beside_any_onset():
     assert Isolator.many(**DESIGNS).saddle_node_onset().at_rest.tolist() == [0, 1, 0, 0, 1]
 
 
+@pytest.mark.parametrize(("c", "zeta"), [(0.9009, 0.1), (0.945, 0.6), (1.08, 1.0)])
+def test_folds_end_at_the_least_static_force_without_friction(c, zeta):
+    """h = -A + 3/2 A^3 - 5/8 c A^5 has two extrema. At the upper one |h| <= 2 zeta^2 A: the forcing of folds only
+    rises with Omega from there, and they are below every cusp and isola point.
+    """
+    u, a = sp.symbols("u a")
+    force = [(u - 2 * u**3 + a * u**5, None)]
+    dip = derive.mechanism("softens_then_hardens", force, {"a": {"above": 0}})(a=c, zeta=zeta)
+    A = math.sqrt((9 + math.sqrt(81 - 50 * c)) / (12.5 * c))
+    F_0 = A - 1.5 * A**3 + 0.625 * c * A**5
+    assert 0 < F_0 <= 2 * zeta**2 * A
+    onset = dip.saddle_node_onset()
+    assert Remark.FOLDS_AT_REST in onset.remarks and f"from F_0 = {F_0:.6g} on" in onset.message
+    assert [len(dip.saddle_nodes(F_0 * (1 + offset))) for offset in (-1e-6, 1e-6)] == [0, 1]
+
+
 def test_folds_do_not_depend_on_what_was_asked_before():
     oscillator = Isolator(lam=3, r=0.6433440579025159, delta_h=0.685981882954226, zeta=0.7)
     before = oscillator.saddle_nodes(0.015556790628234079)
