@@ -5,6 +5,7 @@ from __future__ import annotations
 import functools
 import importlib
 import json
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -16,6 +17,13 @@ DATA = ROOT / "tests" / "data"
 def stored(name: str) -> Any:
     """The values of a file of `tests/data`, read once."""
     return json.loads((DATA / f"{name}.json").read_text(encoding="utf-8"))
+
+
+def store(name: str, cases: Sequence[Any]) -> None:
+    """Write one case to a line of a file of `tests/data`, and print how many there are."""
+    lines = ",\n".join(json.dumps(case, separators=(",", ":")) for case in cases)
+    (DATA / f"{name}.json").write_text(f"[\n{lines}\n]\n", encoding="utf-8")
+    print(f"{name}: {len(cases)} cases")
 
 
 class Lazily:

@@ -17,20 +17,18 @@ A contact's force is stated in sqrt(u - b): with z = sin w that is sqrt(A - b) c
 
 from __future__ import annotations
 
-import json
 import math
 from collections.abc import Callable
 from functools import cache
-from pathlib import Path
 from typing import Any
 
 from flint import acb, acb_series, arb, ctx
 
+from tests.files import store
 from tests.oracles.averaged import digits, exact
 from tests.oracles.certified_roots import precision
 from tests.oracles.pieces import AVERAGED, in_excess, on_series, root
 
-DATA = Path(__file__).parents[1] / "data" / "forces.json"
 BITS, TOLERANCE = 320, 280
 ORDERS = 3
 #: relative step of a difference that gives a condition number
@@ -144,14 +142,5 @@ def vanishes(value: arb) -> bool:
     return bool(abs(value) < arb(10) ** -45)
 
 
-def main() -> None:
-    """Writes the file."""
-    lines = []
-    for name, (_, amplitudes) in FORCES.items():
-        for A in amplitudes:
-            lines.append(json.dumps(case(name, A), separators=(",", ":")))
-    DATA.write_text("[\n" + ",\n".join(lines) + "\n]\n")
-
-
 if __name__ == "__main__":
-    main()
+    store("forces", [case(name, A) for name, (_, amplitudes) in FORCES.items() for A in amplitudes])

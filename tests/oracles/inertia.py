@@ -13,6 +13,7 @@ from typing import Any
 
 from flint import arb
 
+from tests.files import store
 from tests.oracles.averaged import (
     BITS,
     Amplitude,
@@ -27,7 +28,7 @@ from tests.oracles.averaged import (
     exact,
 )
 from tests.oracles.certified_roots import precision
-from tests.oracles.make_random_isolators import SEED, answered, draw_duffing, draw_isolator, encoded, log_uniform, write
+from tests.oracles.make_random_isolators import SEED, answered, draw_duffing, draw_isolator, encoded, log_uniform
 
 EACH = 20
 
@@ -104,4 +105,4 @@ def case(mechanism: str, index: int) -> dict:
 
 
 if __name__ == "__main__":
-    write("inertia", [case(name, index) for name in ("duffing", "rod_spring") for index in range(EACH)])
+    store("inertia", [case(name, index) for name in ("duffing", "rod_spring") for index in range(EACH)])

@@ -18,9 +18,9 @@ from typing import Any
 
 from flint import arb
 
+from tests.files import store
 from tests.oracles.averaged import BITS, Jet, Point
 from tests.oracles.certified_roots import precision
-from tests.oracles.make_random_isolators import write
 from tests.oracles.make_stated import Force, Piece, Stated, _uniform, case
 from tests.oracles.pieces import CLOSED, a, b, k
 
@@ -87,4 +87,4 @@ def cases(name: str) -> list[dict]:
 
 
 if __name__ == "__main__":
-    write("closed", [one for name in DRAWN for one in cases(name)])
+    store("closed", [one for name in DRAWN for one in cases(name)])

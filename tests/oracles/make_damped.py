@@ -9,6 +9,7 @@ locus; where the two differ the run stops.
 
 import random
 
+from tests.files import store
 from tests.oracles.averaged import BITS, Duffing, RodSpring
 from tests.oracles.certified_roots import precision
 from tests.oracles.conditioning import Conditioning
@@ -21,7 +22,6 @@ from tests.oracles.make_random_isolators import (
     encoded,
     log_uniform,
     row,
-    write,
 )
 
 LAWS = ("eta", "c_2", "contact")
@@ -110,5 +110,5 @@ def shaken_case(index: int) -> dict:
 
 if __name__ == "__main__":
     for law in LAWS:
-        write(f"damped_{law}", [case(law, index) for index in range(EACH)])
-    write("damped_base", [shaken_case(index) for index in range(SHAKEN)])
+        store(f"damped_{law}", [case(law, index) for index in range(EACH)])
+    store("damped_base", [shaken_case(index) for index in range(SHAKEN)])

@@ -1,22 +1,21 @@
 """Cases in; tests/data/exact_motions.json out: motions and folds of the equation of motion (3) to 40 digits.
 
-    python -m tests.oracles.make_exact_motions [--out DIR]
+    python -m tests.oracles.make_exact_motions
 
 A half-wave symmetric motion without rest is a pair (A, theta) that half a turn takes from (u, v) = (A, 0) to (-A, 0);
 a fold is one for which the derivative of that map by (A, theta) is singular, too. Half a turn is integrated by power
 series of 100 terms in FLINT's arithmetic of 320 bits, from breakpoint to breakpoint; derivatives are differences over
 2^-83. Nothing but Table 1 is shared with the package: the forces are typed from (5), (6) and Duffing's, and the values
-that a search starts from are typed in, too. Three to four minutes of one processor.
+that a search starts from are typed in, too. Half an hour of one processor.
 """
 
-import argparse
-import json
 from collections.abc import Callable
-from pathlib import Path
 
-from flint import arb, arb_mat, ctx
+from flint import arb, arb_mat, arb_poly, arb_series, ctx
 
 from slowflow.example import TABLE_1
+from tests.files import store
+from tests.oracles.certified_roots import precision
 
 BITS, TERMS, DIGITS = 320, 100, 40
 NOTHING = arb(2) ** -290
@@ -54,79 +53,40 @@ CASES: tuple[tuple[str, dict[str, float], float, float | None, tuple[float, ...]
     ("duffing", HARDENING_SHAKEN, 0.1, None, (0.9574, 2.686, 1.0860)),
 )
 
-# . Takes n and the coefficients of u up to n; returns coefficient n of f(u); it keeps what it needs of earlier ones
-Piece = Callable[[int, list[arb]], arb]
+#: u, a series of Taylor's in time, in; the restoring force out
+Piece = Callable[[arb_series], arb_series]
 
 
-def product(a: list[arb], b: list[arb], n: int) -> arb:
-    """Coefficient n of a b."""
-    return sum((a[k] * b[n - k] for k in range(n + 1)), arb(0))
-
-
-def untruncated(springs: arb, left: arb) -> Piece:
-    """f = u + springs (left/s - 1) u, s = sqrt(1 - u^2)."""
-    root: list[arb] = []
-    over: list[arb] = []
-    factor: list[arb] = []
-
-    def coefficient(n: int, u: list[arb]) -> arb:
-        inside = (1 if n == 0 else 0) - product(u, u, n)
-        if n == 0:
-            root.append(inside.sqrt())
-            over.append(1 / root[0])
-        else:
-            root.append((inside - sum((root[k] * root[n - k] for k in range(1, n)), arb(0))) / (2 * root[0]))
-            over.append(-sum((root[k] * over[n - k] for k in range(1, n + 1)), arb(0)) / root[0])
-        factor.append(springs * left * over[n] + (1 - springs if n == 0 else 0))
-        return product(factor, u, n)
-
-    return coefficient
-
-
-def polynomial(*factors: arb) -> Piece:
-    """f = u (factors[0] + factors[1] u^2 + ...)."""
-    square: list[arb] = []
-    sums: list[list[arb]] = [[] for _ in factors]
-
-    def coefficient(n: int, u: list[arb]) -> arb:
-        square.append(product(u, u, n))
-        for i in range(len(factors) - 1, -1, -1):
-            above = product(square, sums[i + 1], n) if i + 1 < len(factors) else arb(0)
-            sums[i].append(above + (factors[i] if n == 0 else 0))
-        return product(u, sums[0], n)
-
-    return coefficient
-
-
-def forces(kind: str, numbers: dict[str, float]) -> tuple[list[Callable[[], Piece]], arb | None]:
-    """The pieces of the whole restoring force by rising |u|, to be begun at each step, and the breakpoint."""
+def forces(kind: str, numbers: dict[str, float]) -> tuple[list[Piece], arb | None]:
+    """The pieces of the whole restoring force by rising |u|, and the breakpoint."""
     if kind == "duffing":
-        return [lambda: polynomial(arb(numbers["alpha"]), arb(numbers["beta"]))], None
+        return [lambda u: u * (numbers["alpha"] + numbers["beta"] * (u * u))], None
     springs, left = arb(numbers["lam"]) * arb(numbers["r"]), 1 - arb(numbers["delta_h"])
-    u_cr = (1 - left * left).sqrt()
-    if kind == "untruncated":
-        return [lambda: untruncated(springs, left), lambda: polynomial(arb(1))], u_cr
-    inner = (1 - springs * (1 - left), springs * left / 2, springs * left * 3 / 8)
-    return [lambda: polynomial(*inner), lambda: polynomial(arb(1))], u_cr
+
+    def untruncated(u: arb_series) -> arb_series:
+        return u * (1 - springs + springs * left / (1 - u * u).sqrt())
+
+    def truncated(u: arb_series) -> arb_series:
+        square = u * u
+        return u * (1 - springs * (1 - left) + springs * left * square * (arb(1) / 2 + arb(3) / 8 * square))
+
+    return [untruncated if kind == "untruncated" else truncated, lambda u: u], (1 - left * left).sqrt()
 
 
-def expanded(piece: Piece, u: arb, v: arb, theta: arb, Omega: arb, F_0: arb, zeta: arb, mu: arb) -> list[arb]:
-    """The series of u(t) for a mass that moves downwards: u'' = F_0 cos theta - f(u) - 2 zeta u' + mu."""
-    x, cosine, sine = [u, v], F_0 * theta.cos(), F_0 * theta.sin()
-    for n in range(TERMS - 2):
-        rate = cosine - piece(n, x) - 2 * zeta * (n + 1) * x[n + 1] + (mu if n == 0 else 0)
-        x.append(rate / ((n + 1) * (n + 2)))
-        cosine, sine = -Omega * sine / (n + 1), Omega * cosine / (n + 1)
-    return x
+def expanded(piece: Piece, u: arb, v: arb, theta: arb, Omega: arb, F_0: arb, zeta: arb, mu: arb) -> arb_poly:
+    """The series of u(t) for a mass that moves downwards: u'' = F_0 cos(theta + Omega t) - f(u) - 2 zeta u' + mu."""
+    x = arb_series([u, v])
+    # by u' = e^(-2 zeta t) (v + int e^(2 zeta t) push dt), each time two coefficients more
+    for ctx.cap in range(4, TERMS + 1, 2):
+        grows = arb_series([0, 2 * zeta]).exp()
+        push = F_0 * arb_series([theta, Omega]).cos() - piece(x) + mu
+        x = u + ((v + (grows * push).integral()) / grows).integral()
+    return arb_poly(x.coeffs())
 
 
-def at(coefficients: list[arb], t: arb) -> tuple[arb, arb]:
+def at(x: arb_poly, t: arb) -> tuple[arb, arb]:
     """u and v at t, rounded to the middles of their balls."""
-    u, v = arb(0), arb(0)
-    for n in range(len(coefficients) - 1, -1, -1):
-        v = v * t + u
-        u = u * t + coefficients[n]
-    return u.mid(), v.mid()
+    return x(t).mid(), x.derivative()(t).mid()
 
 
 def half_turn(case: tuple[str, dict[str, float], float], A: arb, theta: arb, Omega: arb) -> tuple[arb, arb]:
@@ -144,7 +104,7 @@ def half_turn(case: tuple[str, dict[str, float], float], A: arb, theta: arb, Ome
     u, v, passed, end = A, arb(0), arb(0), arb.pi() / Omega
     for piece, edge in course:
         while True:
-            x = expanded(piece(), u, v, theta + Omega * passed, Omega, force, zeta, mu)
+            x = expanded(piece, u, v, theta + Omega * passed, Omega, force, zeta, mu)
             scale = max(abs(x[0].mid()), abs(x[1].mid()), abs(x[2].mid()))
             tail = max(abs(x[TERMS - 1].mid()), abs(x[TERMS - 2].mid()))
             step = min(LONGEST, ((scale * NOTHING / tail).log() / (TERMS - 1)).exp().mid())
@@ -162,7 +122,7 @@ def half_turn(case: tuple[str, dict[str, float], float], A: arb, theta: arb, Ome
     raise AssertionError("half a turn ends before a breakpoint is met")
 
 
-def crossing(x: list[arb], edge: arb, step: arb) -> arb:
+def crossing(x: arb_poly, edge: arb, step: arb) -> arb:
     """Where u falls through the edge within the step, by Newton's iteration."""
     t = step
     for _ in range(60):
@@ -218,21 +178,13 @@ def solved(case: tuple[str, dict[str, float], float], Omega: float | None, start
     raise AssertionError(f"no motion found: {case}, {Omega}, {start}")
 
 
-def main() -> None:
-    """Write the file."""
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--out", type=Path, default=Path(__file__).parents[1] / "data")
-    options = parser.parse_args()
-    ctx.prec = BITS
-    rows = []
-    for kind, numbers, F_0, Omega, start in CASES:
-        found = solved((kind, numbers, F_0), Omega, start)
-        A, theta, *rest = (value.str(DIGITS, radius=False) for value in found)
-        row = {"force": kind, "numbers": numbers, "F_0": F_0, "fold": Omega is None}
-        rows.append(row | {"Omega": rest[0] if rest else Omega, "A": A, "theta": theta})
-        print(rows[-1], flush=True)
-    (options.out / "exact_motions.json").write_text(json.dumps(rows, indent=1) + "\n")
+def row(kind: str, numbers: dict[str, float], F_0: float, Omega: float | None, start: tuple[float, ...]) -> dict:
+    """What is recorded of a case."""
+    A, theta, *rest = (value.str(DIGITS, radius=False) for value in solved((kind, numbers, F_0), Omega, start))
+    known = {"force": kind, "numbers": numbers, "F_0": F_0, "fold": Omega is None}
+    return known | {"Omega": rest[0] if rest else Omega, "A": A, "theta": theta}
 
 
 if __name__ == "__main__":
-    main()
+    with precision(BITS):
+        store("exact_motions", [row(*case) for case in CASES])

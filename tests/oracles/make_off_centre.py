@@ -14,19 +14,17 @@ Every sign that a choice depends on is that of a whole ball.
 
 from __future__ import annotations
 
-import json
 import random
 from dataclasses import dataclass
-from pathlib import Path
 
 from flint import acb_poly, arb, ctx, fmpq, fmpq_poly
 
+from tests.files import store
 from tests.oracles.averaged import DIGITS, _sign, exact
 
 #: of roots of polynomials whose coefficients are balls
 TOLERANCE = arb(10) ** -80
 ANSWERS = {"duffing": "states", "isolator": "detachment", "onset": "onset"}
-OUT = Path(__file__).parents[1] / "data" / "off_centre.json"
 
 
 def ball(x: fmpq) -> arb:
@@ -261,9 +259,8 @@ def main() -> None:
         except ArithmeticError as error:
             print(f"left out, {error}: {case}")
             continue
-        rows.append(json.dumps({**case, **found}))
-    OUT.write_text("[\n" + ",\n".join(rows) + "\n]\n")
-    print(f"{len(rows)} cases")
+        rows.append({**case, **found})
+    store("off_centre", rows)
 
 
 if __name__ == "__main__":

@@ -16,10 +16,11 @@ from typing import Any
 
 from flint import arb
 
+from tests.files import store
 from tests.oracles.averaged import BITS, digits, exact
 from tests.oracles.certified_roots import precision
 from tests.oracles.inertia import ByInertia
-from tests.oracles.make_random_isolators import SEED, answered, encoded, log_uniform, write
+from tests.oracles.make_random_isolators import SEED, answered, encoded, log_uniform
 from tests.oracles.make_sided import Parametrized, Stop, drawn
 
 #: excitation, laws, force, and how many of these
@@ -83,4 +84,4 @@ def case(excitation: str, laws: tuple[str, ...], force: str, index: int) -> dict
 
 
 if __name__ == "__main__":
-    write("off_centre_laws", [case(*rest, index) for *rest, count in COUNTS for index in range(count)])
+    store("off_centre_laws", [case(*rest, index) for *rest, count in COUNTS for index in range(count)])

@@ -1,6 +1,6 @@
 """Seeds in; tests/data/*.json out: certified reference values for random oscillators and for the paper's Table 1.
 
-    python -m tests.oracles.make_random_isolators [--out DIR] [--processes N]
+    python -m tests.oracles.make_random_isolators
 
 writes table_1.json, random_isolators.json (200 isolators), random_duffing.json (20 Duffing oscillators, hardening and
 softening) and negative_stiffness.json (10 isolators with alpha < 0). The same seeds give the same bytes. Every number
@@ -8,25 +8,22 @@ comes from `averaged`; at each forcing the number of folds is found twice, by is
 the fold locus, and a disagreement stops the run. data/README.md says what the fields mean.
 """
 
-import argparse
-import json
 import math
 import random
 from collections.abc import Callable, Sequence
 from fractions import Fraction
 from multiprocessing import Pool
-from pathlib import Path
 from typing import Any
 
 from flint import arb
 
 from derivations.ledger import published
+from tests.files import store
 from tests.oracles.averaged import BITS, CORNER, Duffing, Number, Oscillator, Point, RodSpring, digits
 from tests.oracles.certified_roots import precision
 from tests.oracles.conditioning import Condition, Conditioning
 
 SEED = "slowflow 2025"
-DATA = Path(__file__).parents[1] / "data"
 ISOLATORS, DUFFINGS, NEGATIVE = 200, 20, 10
 MECHANISMS: dict[str, type[Oscillator]] = {"rod_spring": RodSpring, "duffing": Duffing}
 
@@ -259,28 +256,15 @@ def table_1_cases() -> list[dict]:
     return cases
 
 
-def write(name: str, cases: list[dict], folder: Path = DATA) -> None:
-    """One case to a line of name.json; how many there are is printed."""
-    lines = ",\n".join(json.dumps(case, separators=(",", ":")) for case in cases)
-    (folder / f"{name}.json").write_text(f"[\n{lines}\n]\n", encoding="utf-8")
-    folds = sum(len(one["folds"]) for case in cases for one in case.get("forcings", [case]))
-    print(f"{name}: {len(cases)} cases, {folds} folds")
-
-
 def main() -> None:
-    parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
-    parser.add_argument("--out", type=Path, default=DATA)
-    parser.add_argument("--processes", type=int, default=2)
-    arguments = parser.parse_args()
-    arguments.out.mkdir(parents=True, exist_ok=True)
-    write("table_1", table_1_cases(), arguments.out)
-    with Pool(arguments.processes) as pool:
+    store("table_1", table_1_cases())
+    with Pool(2) as pool:
         for name, make, count in (
             ("random_duffing", duffing_case, DUFFINGS),
             ("negative_stiffness", negative_case, NEGATIVE),
             ("random_isolators", isolator_case, ISOLATORS),
         ):
-            write(name, pool.map(make, range(count), chunksize=1), arguments.out)
+            store(name, pool.map(make, range(count), chunksize=1))
 
 
 if __name__ == "__main__":

@@ -33,10 +33,11 @@ from typing import Any
 
 from flint import arb, arb_series, ctx
 
+from tests.files import store
 from tests.oracles.averaged import ATTACHED, BITS, DETACHED, Jet, Point, digits, exact
 from tests.oracles.certified_roots import isolate, precision
 from tests.oracles.conditioning import Conditioning
-from tests.oracles.make_random_isolators import SEED, answered, encoded, log_uniform, row, write
+from tests.oracles.make_random_isolators import SEED, answered, encoded, log_uniform, row
 from tests.oracles.make_stated import Bent, Stated
 
 #: cases of each force
@@ -522,4 +523,4 @@ def case(file: str, force: str, index: int) -> dict:
 
 if __name__ == "__main__":
     for file, each in (("sided", EACH), ("curved", CURVED)):
-        write(file, [case(file, force, index) for force, count in each.items() for index in range(count)])
+        store(file, [case(file, force, index) for force, count in each.items() for index in range(count)])

@@ -35,10 +35,11 @@ from typing import Any
 
 from flint import acb, acb_series, arb, arb_series, ctx
 
+from tests.files import store
 from tests.oracles.averaged import ATTACHED, BITS, CORNER, DETACHED, Jet, Oscillator, Point, _sign, exact
 from tests.oracles.certified_roots import isolate, precision
 from tests.oracles.conditioning import Conditioning
-from tests.oracles.make_random_isolators import SEED, answered, encoded, log_uniform, row, write
+from tests.oracles.make_random_isolators import SEED, answered, encoded, log_uniform, row
 from tests.oracles.pieces import STATED, Pieces, arctangent, c, k, on_series, p, root, u
 
 #: of each force
@@ -493,4 +494,4 @@ def case(name: str, force: Force, index: int, kind: type[Stated] = Stated) -> di
 
 
 if __name__ == "__main__":
-    write("stated", [case(n, force, index) for n, force in FORCES.items() for index in range(MORE.get(n, EACH))])
+    store("stated", [case(n, force, index) for n, force in FORCES.items() for index in range(MORE.get(n, EACH))])

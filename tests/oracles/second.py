@@ -7,22 +7,19 @@ or from what it generates.
 
 from __future__ import annotations
 
-import json
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import partial
 from itertools import pairwise
-from pathlib import Path
 from typing import Any
 
 from mpmath import mp
 
 from slowflow.example import TABLE_1
+from tests.files import store
 from tests.oracles.definitions.slow_flow import second
 
 mp.dps = 34
-
-DATA = Path(__file__).parents[1] / "data" / "second.json"
 
 
 @dataclass(frozen=True)
@@ -90,19 +87,18 @@ CASES: dict[str, tuple[Callable[[], Second], float, float, list[float], list[tup
 }
 
 
-def main() -> None:
-    """Writes tests/data/second.json."""
-    out = {}
-    for name, (make, F_0, Omega, states, folds) in CASES.items():
-        second, forcing = make(), mp.mpf(F_0)
-        out[name] = {
-            "F_0": F_0,
-            "Omega": Omega,
-            "states": [[mp.nstr(x, 30) for x in second.state(mp.mpf(Omega), forcing, mp.mpf(A))] for A in states],
-            "folds": [[mp.nstr(x, 30) for x in second.fold(forcing, *map(mp.mpf, fold))] for fold in folds],
-        }
-    DATA.write_text(json.dumps(out, indent=1) + "\n")
+def case(name: str) -> dict[str, Any]:
+    """States at the frequency and folds of one of CASES."""
+    make, F_0, Omega, states, folds = CASES[name]
+    second, forcing = make(), mp.mpf(F_0)
+    return {
+        "of": name,
+        "F_0": F_0,
+        "Omega": Omega,
+        "states": [[mp.nstr(x, 30) for x in second.state(mp.mpf(Omega), forcing, mp.mpf(A))] for A in states],
+        "folds": [[mp.nstr(x, 30) for x in second.fold(forcing, *map(mp.mpf, fold))] for fold in folds],
+    }
 
 
 if __name__ == "__main__":
-    main()
+    store("second", [case(name) for name in CASES])

@@ -487,11 +487,10 @@ def test_critical_forcings_meet_the_balance(excitation):
     assert found > 20
 
 
-@pytest.mark.parametrize("name", ["table 1", "duffing"])
-def test_states_and_folds_have_independent_digits(name):
+@pytest.mark.parametrize("case", stored("second"), ids=lambda case: case["of"])
+def test_states_and_folds_have_independent_digits(case):
     """Of tests/oracles/second.py, which knows no derivation: h_n by quadrature, friction's sum in closed form."""
-    case = stored("second")[name]
-    oscillator = isolator() if name == "table 1" else Duffing(1.0, 0.5, 0.01, 0.02)
+    oscillator = isolator() if case["of"] == "table 1" else Duffing(1.0, 0.5, 0.01, 0.02)
     second = oscillator.second_approximation
     states = second.amplitudes(Omega=case["Omega"], F_0=case["F_0"])
     assert len(states) == len(case["states"]) == 3
