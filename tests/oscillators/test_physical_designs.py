@@ -1,5 +1,8 @@
 """Many mounts in SI units: each question is answered as of each mount single, with units."""
 
+import ast
+import inspect
+import itertools
 import pickle
 import warnings
 
@@ -11,7 +14,7 @@ from slowflow.answers.physical_answers import Many
 from slowflow.answers.quantities import EXCITED, ManyScales
 from slowflow.answers.table import COLUMNS, QUESTIONS, SECOND, SameColumns
 from slowflow.averaged.many import CODED
-from slowflow.oscillators.physical_designs import ManyQuantities, PhysicalDesigns
+from slowflow.oscillators.physical_designs import ManyQuantities, PhysicalDesigns, PhysicalQuestions
 from slowflow_kernels.conventions import FoldKind, Status
 from tests.sampling import slow
 
@@ -204,3 +207,14 @@ def test_every_column_in_si_units_has_a_type():
     assert {name for name in QUESTIONS if not hasattr(PhysicalDesigns, name)} == set()
     assert all(hasattr(ManyQuantities, name) for name in ("remarks", "untruncated", "gradient", "plot_map"))
     assert {COLUMNS[name].si for name in ("Omega", "fold_Omega")} == {"f", "fold_f"}
+
+
+def test_editors_show_the_first_sentence_of_help():
+    """The docstrings of attributes, which only editors read, are those of the methods made from the table."""
+    (described,) = ast.parse(inspect.getsource(PhysicalQuestions)).body
+    shown = {
+        attribute.target.id: text.value.value
+        for attribute, text in itertools.pairwise(described.body)
+        if isinstance(attribute, ast.AnnAssign)
+    }
+    assert shown == {name: getattr(PhysicalQuestions, name).__doc__.partition(": .")[0] + "." for name in QUESTIONS}

@@ -231,21 +231,37 @@ class PhysicalQuestions(TakesAmplitude, Generic[Found]):
     """The questions about many mounts in SI units, with arrays as arguments."""
 
     detachment: OfMounts[Found]
+    """Find the lowest forcing whose response reaches x_cr (34)."""
     saddle_node_onset: OfMounts[Found]
+    """Find the lowest forcing that has a fold (33)."""
     at_rest: OfMounts[Found]
+    """Compute data that do not depend on the forcing."""
     rest: Several[Found]
+    """Find every equilibrium under a load, sorted by x."""
     saddle_nodes: SeveralAtAmplitudes[Found]
+    """Find every fold at F (24), (30), sorted by f."""
     hysteresis: SeveralAtAmplitudes[Found]
+    """Find the bands of f with several stable motions at F."""
     peak: AtAmplitudes[Found]
+    """Find the highest peak at F, isolas included."""
     margins: AtAmplitudes[Found]
+    """Compare F with F_SN and F_cr."""
     isolation: Levels[Found]
+    """Find the frequency above which less than F, or a given fraction of it, is transmitted."""
     certify: Proofs[Found]
+    """Prove the number of folds at F, or of states at (f, F), about the centre."""
     frequency_response: Curves[Found]
+    """Compute the response curve at F (24), (30), with every fold."""
     amplitudes: SeveralAtTones[Found]
+    """Find every steady state at (f, F) (24), (30), sorted by A."""
     spectrum: AtTones[Found]
+    """Evaluate a load spectrum, one tone at a time."""
     transient: Records[Found]
+    """Integrate the response to a shock of the base."""
     shock_spectrum: Pulses[Found]
+    """Compute the shock response spectrum of half sines."""
     random: Vibration[Found]
+    """Find stationary random vibration."""
 
     if TYPE_CHECKING:
 
