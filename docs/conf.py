@@ -32,6 +32,8 @@ html_use_index = False
 html_copy_source = False
 html_show_sphinx = False
 html_math_renderer = "mathml"
+# quotes in docstrings are code
+smartquotes = False
 pygments_style = "a11y-high-contrast-light"
 pygments_dark_style = "monokai"
 linkcheck_timeout = 20

@@ -182,7 +182,7 @@ def mechanism(
         `Oscillator.off_centre`.
     compile : bool
         Generate C and call the C compiler (CC of the environment, or Python's own). Otherwise programs are interpreted,
-        with the same bits; batches with polynomial forces then take up to three times as long.
+        with the same bits; batches with polynomial forces then take up to four times as long.
 
     Returns
     -------

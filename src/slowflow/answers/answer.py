@@ -342,8 +342,7 @@ class TupleEntry(Entry, tuple[Any, ...]):
 class Table(Answer):
     """An answer with several entries: arrays of one length.
 
-    entry -- the named tuple of an entry, by its name as a keyword of the class: of the arrays that the class declares,
-            or of `columns`
+    entry -- type of an entry, a named tuple with a field for each array of the answer
     extra_columns -- further columns of each entry, not in its named tuple
     """
 

@@ -35,8 +35,8 @@ class ProvedStates(Proved):
 
     A       -- bounds of each amplitude, shape (n, 2)
     stable  -- the sign of F_A (30), shape (n,)
-    A_max   -- amplitude up to which it is proved that there are no others
-    bounded -- whether it is also proved that there are none above, up to 2^60 A_max
+    A_max   -- amplitude up to which it is proved that there are no further states
+    bounded -- whether it is also proved that there are none from A_max to 2^60 A_max
     doubt   -- undecided intervals of A, shape (k, 2)
     """
 
@@ -51,7 +51,7 @@ class ProvedStates(Proved):
 class ProvedFolds(Proved):
     """All folds at a forcing, in ascending order of Omega; each pair of intervals contains exactly one.
 
-    Omega, A -- bounds of each, shape (n, 2)
+    Omega, A -- bounds of the frequency and of the amplitude of each fold, shape (n, 2)
     kind     -- as in `SaddleNodes`, "" if the sign of F_AA is not proved
     corner   -- True where the fold lies on a breakpoint of the force
     A_max, bounded, doubt -- as in `ProvedStates`
@@ -81,7 +81,7 @@ class ProvedForcing(Proved):
 
 @dataclass(frozen=True, eq=False)
 class Certificate(Answer):
-    """Proofs at one forcing: `Oscillator.certify`. Print it.
+    """Proofs at one forcing, from `Oscillator.certify`; printing shows what is proved.
 
     saddle_nodes -- all folds at F_0
     saddle_node_onset, detachment -- F_SN and F_cr

@@ -46,7 +46,7 @@ class Gradient(Answer):
     by      -- the parameters: those of the design, mu, zeta, and the arguments of the question, F_0 and Omega
     slopes  -- shape (..., numbers, parameters), after the shape of the answer; NaN where there is no gradient
     status  -- code of `slowflow_kernels.conventions.GradientStatus`, 0 if there is a gradient
-    message -- why some have none; empty if all have one
+    message -- why some results have no gradient; empty if all have one
 
     `gradient["A", "delta_h"]` is one derivative for each entry of the answer, `gradient["A"]` has those with respect to
     all parameters. Iterating gives a `Slope` for each number and each parameter; in a table (pandas), each entry has
@@ -91,7 +91,7 @@ class Gradient(Answer):
         return [(of, by) for of in self.of for by in self.by]
 
     def about(self) -> dict[str, Any]:
-        """Return why some have none."""
+        """Return the message."""
         return {"message": self.message}
 
     @property

@@ -85,7 +85,7 @@ class Questions(Generic[States, Response, Folds]):
             also the mean displacement .B. Where the force does not exceed 4 mu/pi friction holds the mass: A = 0 is a
             steady state, which transmits the whole force, or moves with the base. Where double precision is
             inconclusive, ball arithmetic resolves the number of states, as for `saddle_nodes`, at 200 points at most;
-            .Omega_undecided has the frequencies at which it is inconclusive too.
+            .Omega_undecided has the frequencies at which ball arithmetic is inconclusive too.
 
         Raises
         ------

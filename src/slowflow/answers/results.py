@@ -201,9 +201,9 @@ class SteadyStates(
 
     Omega, A -- frequency and amplitude, dimensionless; A = 0 where friction holds the mass at rest
     B        -- under a load the mean displacement, u = B + A cos(Omega tau + phi), so that |B| + A is the largest |u|,
-            `u_max`; for a mass held by friction each stable equilibrium, near which friction may hold it as well
-    stable   -- True where both eigenvalues of the Jacobian (28) have a negative real part; under a load where F_A (30)
-                along the balance of the mean is positive, and the mean stiffness too
+            `u_max`; for a mass held by friction, each stable equilibrium (friction may also hold it nearby)
+    stable   -- True where both eigenvalues of the Jacobian (28) have a negative real part; under a load, where F_A (30)
+                along the balance of the mean and the mean stiffness are positive
     F_0      -- the forcing, a number; an array with the forcing of each state if the question had several
     load     -- the static load over k_v L, if there is one
     message  -- diagnostics as text; empty if there are none

@@ -549,8 +549,8 @@ class ManyQuestions(Generic[Found, Arrays]):
         Returns
         -------
         Batch
-            About thirty thousand designs per second. `Status.UNRESOLVED` if the motion escapes or chatters. With a load
-            also .stands, the number of stable equilibria: the motion begins at the one nearest to the centre; a design
+            15,000 to 50,000 designs per second. `Status.UNRESOLVED` if the motion escapes or chatters. With a load also
+            .stands, the number of stable equilibria; the motion begins at the one nearest to the centre, and a design
             takes hundredths of a second.
         """
 
@@ -586,7 +586,7 @@ class ManyQuestions(Generic[Found, Arrays]):
         ----------
         S_0, psd : array_like, tuple of array_like
             Densities of white noise, which broadcast with the designs; or frequencies and densities, the same for all
-            designs, at about 25 microseconds per design, with a load 0.3 milliseconds.
+            designs, at about 10 microseconds per design, with a load half a millisecond.
         max_count, workers : as in the class
             Largest number of motions; threads.
 

@@ -71,13 +71,13 @@ class Validity(Answer):
     ratio      -- mu/F_0
     rest       -- mu/(A Omega^2), friction over inertia force at the turning points: from about 1 on the mass stops
             there
-    typical    -- median relative error of A, at a frequency within 1 %, of the measured points with similar `ratio` and
-            `rest`
-    error      -- the same for 95 of 100 points; next to a jump that averaging misplaces it is the height of the jump.
-            Values below 1 % mean only that the exact curve passes within 1 %
-    truncation -- the part of it due to the truncated force (6), from the nearest measured case; 0 if not measured (all
-            three: nan for a mechanism that was not measured)
+    typical    -- median of the relative errors of A that were measured for points with similar `ratio` and `rest`; each
+            is the smallest error within 1 % of the point's frequency
+    error      -- 95th percentile of these errors; next to a jump that averaging misplaces it is the height of the jump
+    truncation -- the part of `error` due to the truncated force (6), from the nearest measured case; 0 if not measured
     message    -- diagnostics as text; empty if there are none
+
+    `typical`, `error` and `truncation` are nan for a mechanism that was not measured.
     """
 
     ratio: Floats
@@ -98,9 +98,9 @@ class Measured(Table, entry="MeasuredState"):
     Omega, A -- frequency, and largest |u| of the motion
     error    -- relative error of the averaged amplitude
     stable, stops -- whether the motion is stable; its stops in one period
-    found    -- whether there is such a motion; otherwise A and error are nan
-    reason   -- why there is none
-    message  -- how many states have none, and why; empty if all have one
+    found    -- whether such a motion was found; otherwise A and error are nan
+    reason   -- why none was found
+    message  -- for how many states none was found, and why; empty if one was found for each
     """
 
     Omega: Floats
@@ -120,9 +120,9 @@ class MeasuredFolds(Table, entry="MeasuredFold"):
     Omega, A   -- frequency and amplitude of the exact fold
     error      -- relative error of the averaged frequency
     error_of_A -- relative error of the averaged amplitude
-    found      -- whether there is such a fold; otherwise the other columns are nan
-    reason     -- why there is none
-    message    -- how many have none, and why; empty if all have one
+    found      -- whether such a fold was found; otherwise the other columns are nan
+    reason     -- why none was found
+    message    -- for how many folds none was found, and why; empty if one was found for each
     """
 
     Omega: Floats
@@ -136,13 +136,15 @@ class MeasuredFolds(Table, entry="MeasuredFold"):
 
 @dataclass(frozen=True, eq=False)
 class MeasuredPoint(Single):
-    """The peak, onset, detachment or isolation of the equation of motion (3), found from the averaged one; or None.
+    """The peak, onset, detachment or isolation of the equation of motion (3), found from the averaged one.
+
+    The numbers are None if none was found.
 
     F_0, Omega, A -- forcing, frequency, and largest |u| of the motion
     error    -- relative error of the averaged result: A of a peak, F_SN of an onset, F_cr of a detachment, Omega of
             isolation
     error_of_Omega -- relative error of the averaged frequency
-    message  -- why there is none
+    message  -- why none was found; empty otherwise
     """
 
     F_0: float | None

@@ -170,18 +170,18 @@ class Query:
         return next(known, None)
 
     def numbers(self) -> dict[str, float]:
-        """The arguments that are single numbers, the forcing or a pulse, in the units of printed answers."""
+        """The arguments that are single numbers (forcing, pulse), in the units of printed answers."""
         pulse = zip(OF_A_PULSE, self.arguments.get("shock", ()), strict=False)
         found = {name: value for name, value in (*self.arguments.items(), *pulse) if isinstance(value, float)}
         sizes = {name: UNITS[kind][SHOWN[kind]] for name, kind in self.kinds.items()}
         return {name: value / sizes.get(name, 1.0) for name, value in found.items()}
 
     def units(self) -> dict[str, str]:
-        """Units of these numbers in printed answers, by the names of the arguments."""
+        """Units of `numbers`, by the names of the arguments."""
         return {name: SHOWN[kind] for name, kind in self.kinds.items()}
 
     def given_in(self) -> dict[str, str]:
-        """The units of the arguments in a scene, by name; for pairs by the names of their members."""
+        """SI units of the arguments, by name; the two arguments of a pair have one each."""
         pairs = {"shock": OF_A_PULSE, "spectrum": [name for name in self.kinds if name in (*LETTERS, "f")]}
         names = [part for name in self.arguments for part in pairs.get(name, [name])]
         return {name: SI[self.kinds[name]] for name in names if name in self.kinds}

@@ -94,14 +94,14 @@ class Margins(Composed, Single):
 
     F_SN, F_cr  -- the lowest forcing that has a fold, and the lowest that detaches the springs; under base excitation
             or unbalance F_cr may be a limit that is not attained, as the frequency tends to inf
-    of_SN, of_cr -- these over F_0: margins, above 1 if the limit is not exceeded
+    of_SN, of_cr -- margins F_SN/F_0 and F_cr/F_0, above 1 if the limit is not exceeded
     kind        -- of the onset, as in `SaddleNodeOnset`
     folds       -- number of folds at F_0
     detaches    -- whether a stable motion at F_0 passes u_cr, also on isolated curves, which may exist below F_cr
     sticks      -- whether a mass at rest sticks at every frequency
-    Omega_sticks -- frequency up to which it sticks: 0 if it moves at every frequency, inf if at none
+    Omega_sticks -- frequency up to which a mass at rest sticks: 0 if it moves at every frequency, inf if at none
     message     -- diagnostics as text
-    remarks     -- those of the onset, the detachment and the folds
+    remarks     -- flags of the onset, the detachment and the folds
     """
 
     labels: ClassVar[Labels] = {"Omega_sticks": {0.0: "at no frequency", math.inf: "at every frequency"}}
@@ -125,8 +125,8 @@ class Hysteresis(Composed, Table, entry="Band"):
     """Bands of frequencies with more than one stable motion; which one is observed depends on the history.
 
     Omega_low, Omega_high -- ends of the band: folds, 0, or inf if a motion has no end, as without viscous damping
-    motions -- number of stable motions in it, including the equilibrium at which a preload holds the mass
-    remarks -- those of the folds; UNDECIDED also if the motions between two nearly equal folds are not resolved
+    motions -- number of stable motions in the band, including the equilibrium at which a preload holds the mass
+    remarks -- flags of the folds; UNDECIDED also if the motions between two nearly equal folds are not resolved
     """
 
     Omega_low: Floats
@@ -141,11 +141,11 @@ class Hysteresis(Composed, Table, entry="Band"):
 class Isolation(OfPoint, Single):
     """The frequency above which every stable motion transmits less than the force, or a fraction of it, `level_dB`.
 
-    Omega -- that frequency; 0 if this holds at all frequencies; None if there is no motion, or no such frequency
-    A     -- the amplitude there
-    at_fold -- whether a motion that transmits more ends there in a fold, without attaining the level
-    B, load -- under a load, the mean displacement there, None if A is None, and the load over k_v L
-    remarks -- those of the response
+    Omega -- that frequency; 0 if every motion transmits less; None if there is no motion, or no such frequency
+    A     -- the amplitude at Omega
+    at_fold -- whether a motion that transmits more ends at Omega in a fold, without attaining the level
+    B, load -- under a load, the mean displacement at Omega, None if A is None, and the load over k_v L
+    remarks -- flags of the response
     level_dB -- the transmissibility in decibels, not printed if 0
     """
 
@@ -191,7 +191,8 @@ class Spectrum(Composed, Table, entry="Load"):
     """A load spectrum, one tone at a time, row by row in the given order.
 
     A        -- the largest stable amplitude, about the mean; 0 if the mass sticks, nan if no motion is stable
-    transmissibility_dB -- that of this motion; 0 if the mass sticks, nan if no motion is stable
+    transmissibility_dB -- transmissibility of the motion with this amplitude; 0 if the mass sticks, nan if no motion is
+            stable
     motions  -- number of stable motions
     crosses  -- whether a fold, at which a stable motion ends, lies on the straight line from the previous row
     detaches -- whether a stable motion passes u_cr

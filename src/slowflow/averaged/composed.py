@@ -1,6 +1,6 @@
 """The questions that combine others: margins, hysteresis, isolation and load spectra.
 
-`slowflow.averaged.checks`, which answers them, is imported on first use: `import slowflow` takes 3 ms less.
+`slowflow.averaged.checks` answers them; it is imported on first use.
 """
 
 from __future__ import annotations

@@ -1,7 +1,6 @@
 """Many designs at once. Takes arrays of parameters that broadcast; returns critical forcings, folds, states and peaks.
 
-A question defines how one design is evaluated; the answer fills the columns of the table. Single designs are first
-evaluated in double precision alone, with an allowance of 0; a batch then resolves undecided ones in ball arithmetic.
+Each design is evaluated in double precision; a batch then resolves undecided ones in ball arithmetic.
 
 Made by `Isolator.many(...)` and `Duffing.many(...)`. Only the answers are allocated: inputs, broadcast views included,
 are not copied. `workers` threads share the designs (-1: one for each processor) and give the same digits. Ctrl-C takes

@@ -258,8 +258,8 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
     def closes(self, F_0: float) -> bool:
         """Determine whether the response at F_0 is known to have a largest amplitude.
 
-        It has none without damping other than friction, under a base motion so large that a hardening spring does not
-        end the resonance, or if a user-defined force softens up to its reach.
+        A response has none if friction is the only damping, if a hardening spring does not end the resonance under a
+        large base motion, or if a user-defined force softens up to its reach.
 
         Parameters
         ----------
@@ -509,7 +509,7 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
         Returns
         -------
         Plan
-            Print it.
+            Printing shows the steps.
 
         Raises
         ------

@@ -34,11 +34,13 @@ class Sweep(Drawn, Table, entry="SweepPoint"):
     """A stepped-sine sweep; arrays in the order of the frequencies.
 
     Omega   -- the frequencies
-    A       -- largest |u| of the settled motion; if it did not settle, over the last period of the forcing; if friction
-            holds the mass, its offset; in a dead zone, where no force restores the mean, about the last mean
-    stops   -- number of stick phases in one period of the motion, or in that last period
+    A       -- largest |u| of the settled motion; if the motion did not settle, over the last period of the forcing; if
+            friction holds the mass, the |u| of the mass; in a dead zone, where no force restores the mean, about the
+            last mean
+    stops   -- number of stick phases in one period of the motion; if the motion did not settle, in the last period of
+            the forcing
     turns   -- periods of the forcing until the motion was shown to settle
-    settled -- whether it settled within the largest number of periods
+    settled -- whether the motion settled within the largest number of periods
     jumps   -- pairs (Omega before, Omega after) between which the motion left its branch
     message -- diagnostics as text; empty if there are none
     """

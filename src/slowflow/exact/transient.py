@@ -150,8 +150,8 @@ def transient(
     """Integrate the motion from u = `at` with velocity v under the arcs, rows of `Arc`, and free motion afterwards.
 
     begin -- tau at which the arcs begin
-    after -- duration of the free motion; longer until the mass has reversed twice or friction holds it: as it only
-             loses energy, A and a_max are then the largest for all time
+    after -- duration of the free motion; it is prolonged until the mass has reversed twice or friction holds it. As the
+             mass only loses energy, A and a_max are then the largest for all time
     rest  -- equilibrium without friction, by default `at`
 
     Raises ArithmeticError if the motion escapes a softening spring, chatters where the force jumps, or does not

@@ -36,7 +36,7 @@ class Grid(Unchanging, ManyQuestions["xarray.Dataset", Any]):
     """Designs of one mechanism over named axes, and the questions about them; answers are xarray Datasets.
 
     mechanism -- record of the mechanism
-    designs   -- a batch of none, of the kind that the designs of each block are
+    designs   -- an empty batch, of the class that evaluates each block
     values    -- numbers of the designs by name: DataArrays, which broadcast by the names of their axes; or arrays of
             dask and NumPy, which broadcast by position, with axes "design_0" and so on
 

@@ -91,7 +91,7 @@ class OffCentreDesigns(many.Designs):
     """Arrays of designs of one mechanism under static loads, and the questions about their offset motions.
 
     values     -- as in `slowflow.averaged.many.Designs`, with "load"
-    excitation -- as there; friction acts throughout
+    excitation -- as in `slowflow.averaged.many.Designs`; friction acts throughout
 
     `workers` has no effect: these searches run in Python, in one thread at a time. To use several processes, divide the
     designs, or use the blocks of a grid with dask's processes.

@@ -62,9 +62,9 @@ class Physical(TakesAmplitude):
     A question takes the amplitude of the excitation as its first argument, or by name: a force F in N, the displacement
     Y of the base in m or its acceleration a in m/s^2, or an unbalance U in kg m, the rotating mass times its radius.
     Answers use the same letter: Y_SN or a_cr instead of F_SN and F_cr. Under base excitation each question accepts a as
-    well as Y: relative to the base, the mass moves as under a force m a at every frequency.
+    well as Y: relative to the base, the mass moves as it would under a force of amplitude m a on a base at rest.
 
-    oscillator -- the dimensionless oscillator, of `second_approximation` its own
+    oscillator -- the dimensionless oscillator, or its second approximation
     scales     -- the mass, stiffness and length that make its numbers dimensionless (4)
     given      -- the arguments that it was made from, for `replace`
 
@@ -601,7 +601,7 @@ class Physical(TakesAmplitude):
         Returns
         -------
         Plan
-            Print it.
+            Printing shows the steps.
         """
         one, F_0 = self._excited(amplitude, at) if at or amplitude is not None else (self, None)
         found = one._ask("explain", question=question, F_0=F_0)

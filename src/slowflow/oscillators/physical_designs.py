@@ -1,6 +1,6 @@
 """Many mounts in newtons, metres and hertz. Takes data sheets of arrays; returns the answers of all in SI units.
 
-The questions are the rows of the table that a single mount has too, with its names of their arguments.
+The questions are those of a single mount that are in the table, with the mount's names of arguments.
 """
 
 from __future__ import annotations
@@ -283,8 +283,8 @@ class PhysicalQuestions(TakesAmplitude, Generic[Found]):
 class PhysicalDesigns(PhysicalQuestions[ManyQuantities], Unchanging):
     """Many mounts in SI units: data and arguments are arrays that broadcast, answers are `ManyQuantities`.
 
-    Made by `mount.many(k_h=..., m=...)`. The questions are those of the mount that `Isolator.many` has too, with the
-    mount's arguments, each a number or an array, and with the options of the batch:
+    Made by `mount.many(k_h=..., m=...)`. The questions are those of `Isolator.many`, with the arguments of a mount,
+    each a number or an array, and with the options of a batch:
 
     max_count -- largest number of entries per mount, along an additional axis
     workers   -- threads that share the mounts, -1 for one per processor

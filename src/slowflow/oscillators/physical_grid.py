@@ -1,6 +1,6 @@
 """Mounts in newtons, metres and hertz over named axes. Takes data sheets of labelled arrays; returns maps in SI units.
 
-A block of a map is a batch of mounts, `slowflow.oscillators.physical_designs`; what a map is `slowflow.grid` says.
+A block of a map is a batch of mounts, `slowflow.oscillators.physical_designs`; maps are those of `slowflow.grid`.
 """
 
 from __future__ import annotations
@@ -32,9 +32,9 @@ __all__ = ["PhysicalGrid"]
 class PhysicalGrid(PhysicalQuestions["xarray.Dataset"], Grid):  # type: ignore[misc]  # questions with other arguments
     """Many mounts in SI units over named axes, and the questions about them; answers are xarray Datasets in SI units.
 
-    Made by `mount.many(k_h=..., m=...)` of arrays of xarray or dask. Their numbers are in SI units, those of a
-    DataArray in the unit that its attribute "units" says. Questions and arguments are those of `PhysicalDesigns`, maps
-    those of `slowflow.grid.designs.Grid`: columns, data and arguments have SI names, and units as an attribute.
+    Made by `mount.many(k_h=..., m=...)` from arrays of xarray or dask. An array is in SI units unless the attribute
+    "units" of a DataArray names another unit. Questions and arguments are those of `PhysicalDesigns`; maps are those of
+    `slowflow.grid.designs.Grid`, with SI names of columns, data and arguments, and units as an attribute.
     """
 
     designs: PhysicalDesigns
@@ -51,7 +51,7 @@ class PhysicalGrid(PhysicalQuestions["xarray.Dataset"], Grid):  # type: ignore[m
 
     @property
     def scales(self) -> ManyScales:
-        """The names and units of numbers; its sizes are those of no mount."""
+        """The names and units of numbers, without the sizes of any mount."""
         return self.designs.scales
 
     @functools.cached_property

@@ -38,16 +38,16 @@ class RandomResponse(Drawn, Table, entry="Stationary"):
     u_rms, v_rms -- root mean squares of displacement about the mean, and of velocity, relative to the base
     a_rms        -- of the absolute acceleration of the mass; under a force, of the transmitted force less the load
     stiffness, damping -- k and c of the linear oscillator u'' + c u' + k u = w with the least mean square error in (3)
-    Omega_e, ratio_e -- its natural frequency and its damping ratio
+    Omega_e, ratio_e -- natural frequency and damping ratio of this linear oscillator
     beyond        -- fraction of the time in which u is beyond the first breakpoint on either side, NaN if there is none
-    crossing_rate -- rate at which u crosses these outwards, per unit of tau (Rice)
+    crossing_rate -- rate at which u crosses the breakpoints outwards, per unit of tau (Rice)
     dry           -- fraction of the damping due to dry friction, on which the accuracy depends
     message       -- diagnostics as text
 
-    It is proved that there are no other motions: without a load about the centre, with a load or for an asymmetric
-    force about any mean. There the proof assumes that a force which is no polynomial is near its Legendre series of
-    degree 7 in each of some 300 cells, and under a table it begins at the RMS that stiffnesses on a grid allow. See
-    `native/exact/linearized.h` and `native/exact/offset.h`.
+    It is proved that there are no other solutions: without a load about the centre, with a load or for an asymmetric
+    force about any mean. About a mean the proof has two assumptions: a force that is not a polynomial is close to its
+    Legendre series of degree 7 in each of some 300 cells; under a PSD, the least RMS is found on a grid of
+    stiffnesses. See `native/exact/linearized.h` and `native/exact/offset.h`.
     """
 
     picture: ClassVar[str] = "psd"
@@ -111,11 +111,11 @@ class RandomResponse(Drawn, Table, entry="Stationary"):
     def gradient(self) -> Gradient:
         """Differentiate u_rms, v_rms and a_rms of each motion with respect to the design, damping and excitation.
 
-        The derivatives are exact; those with respect to c_2, c_3 and zeta_2 if these are not 0, to S_0 for white noise,
-        and for a table to factors of all its densities (psd_G) and of all its frequencies (psd_Omega), which are 1.
-        For motions about a mean B is differentiated too, also with respect to the load.
-        Where two equivalent oscillators merge there is no gradient; `.status` and `.message` say so. Raises ValueError
-        if the derivatives of the force with respect to the design are not known.
+        The derivatives are exact. They are taken with respect to c_2, c_3 and zeta_2 if these are not 0; for white
+        noise with respect to S_0; for a PSD with respect to common factors of all densities (psd_G) and of all
+        frequencies (psd_Omega). Motions about a mean also have the derivatives of B, and those with respect to the
+        load. Where two equivalent oscillators merge there is no gradient; `.status` and `.message` say so. Raises
+        ValueError if the derivatives of the force with respect to the design are not known.
         """
         return gradient(self, self.system, self._equation)
 

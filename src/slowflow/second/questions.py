@@ -90,11 +90,10 @@ class SecondApproximation(Questions[SecondStates, SecondResponse, SecondFolds]):
     """The questions about an oscillator in the second approximation, made by its `.second_approximation`.
 
     Answers have the largest displacement as A, and the amplitude of the first harmonic as A_1. Arguments and errors are
-    those of the oscillator. Internally, as in the kernels, A is A_1 + a_3 + a_5; the harmonics of friction reduce it
-    slightly. Raises ValueError if these harmonics are not derived.
+    those of the oscillator. Raises ValueError if the harmonics of the force are not derived.
 
-    The averaged curve is complete; the branches of the second approximation are those that follow from it where the
-    harmonics are small. Points that are lost are reported. Nothing else is proved.
+    The averaged curve is complete. The second approximation follows from its points where the harmonics are small; a
+    message reports points that have none. That there are no other branches is not proved.
 
     first -- the averaged oscillator
     """

@@ -153,18 +153,19 @@ def fit(
     Noise is assumed to be normal and equal at all points; with noise in proportion to the amplitude the intervals are
     too narrow. The intervals account for noise alone, not for the error of averaging, which may shift a parameter by a
     percent. They use the profile likelihood with Student's t: in 100 fits of one to four parameters, 91 to 96 % of the
-    intervals contained the true value, on curves that jump 88 to 97 %, see docs/howto/fit.md. For other damping laws
-    they are linearized, and under a load. A parameter that the data do not bound has an interval that ends at 0 or inf,
-    and the message names it. Six starting points are tried (for a free decay and under a load only the given one),
-    which does not prove that there is no lower minimum; the message reports if the given start leads to a higher one.
+    intervals contained the true value, 88 to 97 % for curves that jump, see docs/howto/fit.md. For damping laws other
+    than mu and zeta, and under a load, they are linearized. If the data do not bound a parameter, its interval ends at
+    0 or inf, and the message names the parameter. Six starting points are tried (for a free decay and under a load only
+    the given one), which does not prove that there is no lower minimum; the message reports if the given start leads to
+    a higher one.
 
     Parameters
     ----------
     of : Oscillator or Physical
         The starting point, and the values of the parameters that are not free; a mount in SI units.
     *sets : mapping
-        Several data sets together: for each the arguments below by name, and `deviation`, its standard deviation, which
-        weights the set. The deviation of the fit is then about 1, unless one of these is wrong.
+        Several data sets together: for each, the arguments below by name, and `deviation`, its standard deviation, by
+        which it is weighted. The `deviation` of the fit is then about 1, unless a given one is wrong.
     A : array_like, optional
         Measured amplitudes, for a mount in m.
     phi : array_like, optional
@@ -178,9 +179,9 @@ def fit(
     x, t : array_like, optional
         A free decay: displacements (for a mount in m) and their times (in s), released from rest at the first sample.
         The equation of motion is integrated from an initial displacement x_0 that is fitted too; the intervals are
-        linearized. Over the record, the decay from the starting point must stay within a fraction of a cycle of the
-        data. With F: the forces in N of a force-displacement loop, whose viscous part needs the times; its mean force
-        is left out.
+        linearized. The decay of the starting point must stay in phase with the data, within a fraction of a cycle.
+        Instead with F, forces in N: a force-displacement loop, whose viscous part needs the times; its mean force is
+        ignored.
     free : sequence of str, optional
         Names of the parameters to fit; by default friction, damping and stiffnesses.
     **at : Measured
