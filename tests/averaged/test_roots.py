@@ -10,9 +10,8 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from slowflow.core.backend import SOLVER
-from tests.native.roots import Solver, build, why_not
 from tests.oracles.frequencies import KINDS, U, relative_error, roots, stress_cases
-from tests.sampling import fewer, slow
+from tests.sampling import fewer
 
 # Less than the promised u (1 + kappa), so that a correction that has become useless is seen.  Rounding the exact root
 # costs up to u, which is 2/3 u (1 + kappa), as kappa >= 1/2 (change the unit of frequency); sqrt(-h/A), with kappa = 1,
@@ -23,19 +22,9 @@ SOLVE = {"response": SOLVER.response_roots, "fold": SOLVER.fold_roots, "peak": S
 FAMILIES = [(kind, name) for kind in KINDS for name in stress_cases(kind, 1, 0)]
 
 
-def installed_solver(kind: str, rows: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def solved(kind: str, rows: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Omega and counts."""
     return SOLVE[kind](*rows.T)
-
-
-@pytest.fixture(scope="session", params=["installed", *slow("C", "C clones")])
-def solver(request, tmp_path_factory) -> Solver:
-    if request.param == "installed":
-        return installed_solver
-    clones = request.param == "C clones"
-    reason = why_not(clones)
-    if reason:
-        pytest.skip(reason)
-    return build(tmp_path_factory.mktemp("native"), clones)
 
 
 @functools.cache
@@ -46,9 +35,9 @@ def certified(kind, name):
 
 
 @pytest.mark.parametrize(("kind", "name"), FAMILIES)
-def test_every_root_and_no_other(solver, kind, name):
+def test_every_root_and_no_other(kind, name):
     rows, expected = certified(kind, name)
-    Omega, count = solver(kind, rows)
+    Omega, count = solved(kind, rows)
     np.testing.assert_array_equal(count, [len(e) for e in expected])
     np.testing.assert_array_equal(np.isnan(Omega), np.arange(Omega.shape[1]) >= count[:, None])
     assert sum(len(e) for e in expected) > fewer(20, 4)
@@ -90,11 +79,11 @@ TOUCHING = {
 
 
 @pytest.mark.parametrize("name", TOUCHING)
-def test_touching_roots_count_with_multiplicity(solver, name):
+def test_touching_roots_count_with_multiplicity(name):
     kind, parameters, expected = TOUCHING[name]
     exact = roots(kind, parameters)
     assert len(exact) == len(expected), "the case itself"
-    Omega, count = solver(kind, np.array([parameters]))
+    Omega, count = solved(kind, np.array([parameters]))
     assert count == len(expected)
     np.testing.assert_allclose(Omega[0, : len(expected)], expected, rtol=4 * U, atol=0)
     for value, (root, _) in zip(Omega[0], exact, strict=False):
@@ -103,21 +92,21 @@ def test_touching_roots_count_with_multiplicity(solver, name):
 
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("bad", [np.nan, np.inf, -np.inf])
-def test_outside_the_domain_the_count_is_minus_one(solver, kind, bad):
+def test_outside_the_domain_the_count_is_minus_one(kind, bad):
     good = np.array([1.0, -1.0, 0.1, 0.1, 0.5])[: len(KINDS[kind])]
     rows = np.array([np.where(np.arange(good.size) == i, bad, good) for i in range(good.size)])
-    Omega, count = solver(kind, rows)
+    Omega, count = solved(kind, rows)
     assert (count == -1).all()
     assert np.isnan(Omega).all()
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_negative_parameters(solver, kind):
+def test_negative_parameters(kind):
     good = np.array([1.0, -1.0, 0.1, 0.1, 0.5])[: len(KINDS[kind])]
     for i, name in enumerate(KINDS[kind]):
         row = np.where(np.arange(good.size) == i, -np.abs(good), good)[None]
-        assert (solver(kind, row)[1] == -1) == (name not in ("h", "h_A"))
-    assert solver(kind, np.where(np.arange(good.size) == 0, 0.0, good)[None])[1] == -1  # A = 0
+        assert (solved(kind, row)[1] == -1) == (name not in ("h", "h_A"))
+    assert solved(kind, np.where(np.arange(good.size) == 0, 0.0, good)[None])[1] == -1  # A = 0
 
 
 @pytest.mark.parametrize("kind", KINDS)

@@ -11,10 +11,12 @@ from typing import Any
 
 import numpy as np
 
+from slowflow import include
+
 HERE = Path(__file__).parent
 ROOT = HERE.parents[1]
 NATIVE, GENERATED = ROOT / "src" / "slowflow" / "native", ROOT / "generated"
-INCLUDES = [f"-I{folder}" for folder in (NATIVE, GENERATED / "c", GENERATED / "native")]
+INCLUDES = [f"-I{folder}" for folder in include()]
 WARNINGS = ["-std=c99", "-Wall", "-Wextra", "-Werror", "-pedantic"]
 FLAGS = ["-O3", "-fno-math-errno", "-fno-trapping-math", "-ffp-contract=off"]
 #: arithmetic is strict: -O1 gives the same digits as -O3, which takes twice the time

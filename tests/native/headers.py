@@ -1,24 +1,20 @@
-"""The generated C headers as Python functions: a folder for the shared library in, callables out.
-
-Every function of `generated/c` gets a wrapper `void wrap_NAME(const double *in, double *out)`.
-"""
+"""The generated C headers as Python functions: a folder for the shared library in, callables out."""
 
 from __future__ import annotations
 
 import ctypes
 import importlib
 import re
-import subprocess
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 import numpy as np
 
 from slowflow_kernels import MODULES
-from tests.native.compiler import COMPILER, FLAGS, GENERATED, INCLUDES, NATIVE, ROOT, WARNINGS, compiled, pointer
+from tests.native.compiler import COMPILER, FLAGS, GENERATED, NATIVE, ROOT, WARNINGS, compiled, pointer
 
 HEADERS = GENERATED / "c"
-PROTOTYPE = re.compile(r"^(?:static inline|SF_KERNEL|SF_TWOFOLD) (double|void) (\w+)\(([^)]*)\)", re.MULTILINE)
+PROTOTYPE = re.compile(r"^(?:SF_KERNEL|SF_TWOFOLD) (double|void) (\w+)\(([^)]*)\)", re.MULTILINE)
 COMMENT = re.compile(r"/\*.*?\*/", re.DOTALL)
 WORD = re.compile(r"\b[A-Za-z_]\w*\b")
 #: of the kernels with one regime each, in the lists that loops are made by
@@ -29,10 +25,10 @@ WIDEST = 128
 LIBRARY = "kernels.so"
 
 
-def prototypes() -> dict[str, tuple[str, list[str]]]:
-    """Return type and arguments of every function, by name."""
+def prototypes(folder: Path = HEADERS) -> dict[str, tuple[str, list[str]]]:
+    """Return type and arguments of every function with a symbol, by name."""
     found = {}
-    for header in sorted(HEADERS.glob("*.h")):
+    for header in sorted(folder.glob("*.h")):
         for kind, name, arguments in PROTOTYPE.findall(header.read_text()):
             found[name] = (kind, [argument.strip() for argument in arguments.split(",")])
     return found
@@ -74,47 +70,31 @@ def called() -> set[str]:
     return reached
 
 
-def compile_alone(header: Path, directory: Path) -> str:
-    """What the compiler says about a header by itself."""
-    source = directory / "alone.c"
-    source.write_text(f'#include "{header.name}"\nint main(void) {{ return 0; }}\n')
-    command = [COMPILER, *WARNINGS, *INCLUDES, "-c", str(source), "-o", str(directory / "alone.o")]
-    return subprocess.run(command, capture_output=True, text=True).stderr
+def build(directory: Path, folder: Path = HEADERS) -> None:
+    """A library of a folder's `exported.c`: a symbol for every function of the headers."""
+    options = [*WARNINGS, *FLAGS, f"-I{folder}"]
+    compiled(directory / LIBRARY, folder / "exported.c", options=options, compiler=COMPILER)
 
 
-def build(directory: Path) -> None:
-    """Compile all headers together, with all warnings as errors, into a library in a folder."""
-    includes = [f'#include "{header.name}"' for header in sorted(HEADERS.glob("*.h"))]
-    wrappers = []
-    for name, (kind, arguments) in prototypes().items():
-        call, used, outputs = [], 0, 0
-        for argument in arguments:
-            if argument.startswith("double *"):
-                call.append(f"out + {outputs}")
-                outputs += 1
-            elif argument == "const double *p":
-                call.append(f"in + {used}")
-            else:
-                call.append(f"in[{used}]")
-                used += 1
-        value = f"{name}({', '.join(call)})"
-        body = f"*out = {value};" if kind == "double" else f"(void)out; {value};"
-        wrappers.append(
-            f"void wrap_{name}(const double *in, double *out);\n"
-            f"void wrap_{name}(const double *in, double *out) {{ (void)in; {body} }}"
-        )
-    source, library = directory / "kernels.c", directory / LIBRARY
-    source.write_text("\n".join([*includes, *wrappers]) + "\n")
-    compiled(library, source, options=[*WARNINGS, *FLAGS], compiler=COMPILER)
+def load(directory: Path, folder: Path = HEADERS) -> Callable[..., np.ndarray]:
+    """The library in a directory: a function of a name, the arguments in one sequence, and how many come out."""
+    library, known = ctypes.CDLL(str(directory / LIBRARY)), prototypes(folder)
 
-
-def load(directory: Path) -> Callable[..., np.ndarray]:
-    """The library in a folder: a function that takes a name, the arguments in one sequence, and how many come out."""
-    loaded = ctypes.CDLL(str(directory / LIBRARY))
-
-    def call(name: str, arguments: list[float], width: int) -> np.ndarray:
+    def call(name: str, arguments: Sequence[float], width: int) -> np.ndarray:
+        kind, declared = known[name]
         values, out = np.array([*arguments, 0.0]), np.full(WIDEST, np.nan)
-        getattr(loaded, f"wrap_{name}")(pointer(values), pointer(out))
+        numbers = sum(one.startswith("double ") and "*" not in one for one in declared)
+        places = iter(range(WIDEST))
+        operands = [ctypes.c_double(value) for value in values[:numbers]]
+        operands += [
+            pointer(values[numbers:]) if one == "const double *p" else pointer(out[next(places) :])
+            for one in declared[numbers:]
+        ]
+        function = getattr(library, name)
+        function.restype = ctypes.c_double if kind == "double" else None
+        found = function(*operands)
+        if kind == "double":
+            out[0] = found
         assert np.isnan(out[width:]).all()
         return out[:width]
 

@@ -5,6 +5,7 @@ How right both are, `test_kernels.py` says; here they are compared with one anot
 
 from __future__ import annotations
 
+import ctypes
 import importlib
 import inspect
 import math
@@ -30,7 +31,7 @@ from slowflow.support import backend as support
 from slowflow_kernels import MODULES, dissipation, rod_spring, slow_flow
 from tests import backends
 from tests.native import clones
-from tests.native.compiler import NATIVE
+from tests.native.compiler import FLAGS, NATIVE, compiled
 from tests.oracles.kernels import is_of_gradients
 
 U = 2.0**-53
@@ -388,10 +389,14 @@ def test_the_arctangent_polynomial_is_as_good_as_derived():
     assert polynomial.bound < Fraction(1, 16)
 
 
-@pytest.fixture
-def atan2(c_kernels):
-    """The generated arctangent, by itself."""
-    return lambda y, x: float(c_kernels("angles_atan2", [y, x], 1)[0])
+@pytest.fixture(scope="module")
+def atan2(tmp_path_factory):
+    """The generated arctangent, by itself: it has no symbol."""
+    source = tmp_path_factory.mktemp("angles") / "angles.c"
+    source.write_text('#include "angles.h"\ndouble called(double y, double x) { return angles_atan2(y, x); }\n')
+    called = ctypes.CDLL(str(compiled(source.with_suffix(".so"), source, options=FLAGS))).called
+    called.restype, called.argtypes = ctypes.c_double, [ctypes.c_double] * 2
+    return called
 
 
 def error_in_ulps(value: float, y: float, x: float) -> float:
