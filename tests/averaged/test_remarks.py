@@ -115,12 +115,17 @@ def test_folds_end_at_the_least_static_force_without_friction(c, zeta):
     u, a = sp.symbols("u a")
     force = [(u - 2 * u**3 + a * u**5, None)]
     dip = derive.mechanism("softens_then_hardens", force, {"a": {"above": 0}})(a=c, zeta=zeta)
-    A = math.sqrt((9 + math.sqrt(81 - 50 * c)) / (12.5 * c))
-    F_0 = A - 1.5 * A**3 + 0.625 * c * A**5
-    assert 0 < F_0 <= 2 * zeta**2 * A
+    A = np.sqrt((9 + np.sqrt(81 - 50 * c) * np.array([-1, 1])) / (12.5 * c))
+    most, least = A - 1.5 * A**3 + 0.625 * c * A**5
+    assert 0 < least <= 2 * zeta**2 * A[1]
     onset = dip.saddle_node_onset()
-    assert Remark.FOLDS_AT_REST in onset.remarks and f"from F_0 = {F_0:.6g} on" in onset.message
-    assert [len(dip.saddle_nodes(F_0 * (1 + offset))) for offset in (-1e-6, 1e-6)] == [0, 1]
+    assert Remark.FOLDS_AT_REST in onset.remarks and f"from F_0 = {least:.6g} on" in onset.message
+    # where doubles do not decide, too
+    assert [len(dip.saddle_nodes(least * (1 + offset))) for offset in (-1e-6, -(2.0**-47), 1e-6)] == [0, 0, 1]
+    below, almost, just, above = (
+        len(dip.saddle_nodes(most * (1 + offset))) for offset in (-1e-6, -(2.0**-47), 2.0**-47, 1e-6)
+    )
+    assert (below, above) == (almost, just) and abs(above - below) == 1
 
 
 def test_folds_do_not_depend_on_what_was_asked_before():

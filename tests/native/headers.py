@@ -84,10 +84,10 @@ def load(directory: Path, folder: Path = HEADERS) -> Callable[..., np.ndarray]:
         kind, declared = known[name]
         values, out = np.array([*arguments, 0.0]), np.full(WIDEST, np.nan)
         numbers = sum(one.startswith("double ") and "*" not in one for one in declared)
-        places = iter(range(WIDEST))
+        outputs = iter(range(WIDEST))
         operands = [ctypes.c_double(value) for value in values[:numbers]]
         operands += [
-            pointer(values[numbers:]) if one == "const double *p" else pointer(out[next(places) :])
+            pointer(values[numbers:]) if one == "const double *p" else pointer(out[next(outputs) :])
             for one in declared[numbers:]
         ]
         function = getattr(library, name)
