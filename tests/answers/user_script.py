@@ -95,6 +95,7 @@ def physical(mount: Physical) -> None:
     assert_type(mount.margins(5).of_SN, float | None)
     assert_type(mount.hysteresis(5).f_low, Floats)
     assert_type(mount.isolation(5, level_dB=-20).f, float | None)
+    assert_type(mount.isolation(5, level_dB=-20).level_dB, float)
     assert_type(mount.spectrum(f=[3, 4], F=5).A, Floats)
     assert_type(mount.rest().x, Floats)
     assert_type(mount.at_rest().f_0, float | None)

@@ -15,7 +15,7 @@ from slowflow.answers.results import Remark
 from slowflow.answers.table import DOUBLES
 from slowflow.averaged import messages, proofs, solvers
 from slowflow.averaged.balls.search import AT_0, BallModel, Enclosure, averages_of
-from tests.averaged.test_certified import check_folds, holds, level_ulps
+from tests.averaged.test_certified import level_ulps
 from tests.averaged.test_certified_cases import CENTRED, of_record
 from tests.averaged.test_untruncated import folds_by_scanning
 from tests.sampling import slow
@@ -77,28 +77,6 @@ def test_undecided_counts_beside_a_double_fold_are_resolved():
             assert len(proof.A) == (2 if above else 0)
             by_balls += proof.bits > DOUBLES
     assert by_balls > 10
-
-
-@pytest.mark.slow
-def test_balls_enclose_certified_answers():
-    """Of the truncated force and of Duffing's, from doubles' own reference: not to fill gaps but throughout."""
-    for case in CENTRED[::25]:
-        model = of_record(case).model
-        forcing, onset = case["forcings"][0], case["onset"]
-        proof = proofs.folds.in_balls(model, forcing["F_0"][1])
-        assert proof.proved
-        assert proof.bounded
-        check_folds(proof, forcing["folds"])
-        for at in forcing["amplitudes"][:2]:
-            states = proofs.states.in_balls(model, forcing["F_0"][1], at["Omega"][1])
-            assert states.stable.tolist() == [state["stable"] for state in at["steady"]]
-            assert all(holds(A, state["A"]) for A, state in zip(states.A, at["steady"], strict=True))
-        found = proofs.onset.in_balls(model)
-        assert found.proved
-        assert found.kind == onset["kind"]
-        assert holds(found.F_0, onset["F_SN"])
-        if case["mechanism"] == "rod_spring":
-            assert holds(proofs.detachment.in_balls(model).F_0, case["detachment"]["F_cr"])
 
 
 def spring(design, u):

@@ -44,7 +44,7 @@ def by_quadrature():
 def test_force_averaged_by_quadrature_has_certified_answers(by_quadrature, law, number):
     case, family = (
         cases(f"damped_{law}")[number],
-        replace(FAMILIES[f"damped_{law}"], gradients=False, softening=False),
+        replace(FAMILIES[f"damped_{law}"], gradients=False),
     )
     osc = by_quadrature(case)
     assert osc.model.mechanism.enclosed is not None

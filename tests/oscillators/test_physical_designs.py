@@ -47,8 +47,8 @@ LOADED = dict(load=26.0)
 NOT_OF_ONE = ("status", "onset", "fold_f", "fold_A", "fold_kind", "stands", "proved", "bits")
 
 
-def arguments(question, excitation):
-    own, of_it = dict(AT[question]), AMPLITUDES[excitation] / AMPLITUDES["force"]
+def arguments(question, excitation, of=AT):
+    own, of_it = dict(of[question]), AMPLITUDES[excitation] / AMPLITUDES["force"]
     return own | ({EXCITED[excitation][0]: np.multiply(own.pop("F"), of_it)} if "F" in own else {})
 
 

@@ -160,6 +160,7 @@ class One(Explained[Dimensionless], Excited[float]):
     f_cr: float | None
     f_max: float | None
     f_sticks: float
+    level_dB: float
     A: float | None
     B: float | None
     x_cr: float | None
