@@ -204,9 +204,9 @@ function say() {
   sayStates();
   const summary = `Response at ${F} = ${near("F_0", plain.F_0)}: ${jumps ? `${folds.n} folds` : "no fold"}, ${peak.text}${breaks.length ? `, ${DATA.mechanisms[state.mechanism].rod ? "springs detach" : "the spring changes"} at ${near("A", breaks[0])}` : ""}.`;
   app.plots.response.title.textContent = summary;
-  app.plots.force.title.textContent = "Restoring force over displacement, with the stroke of the present motion.";
+  app.plots.force.title.textContent = "Restoring force over displacement, with the stroke of the selected motion.";
   app.plots.transmissibility.title.textContent = "Transmissibility in decibels over frequency.";
-  app.map.plot.title.textContent = "Design map; a cross marks the present design.";
+  app.map.plot.title.textContent = "Design map; a cross marks the selected design.";
 }
 
 /** The states at the present frequency as a table, and how far the present one may be off. */

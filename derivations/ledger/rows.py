@@ -22,10 +22,10 @@ DEFINITION = "definition"
 VOCABULARY: dict[str, str] = {
     IDENTICAL: "formulas: the same expression up to the order of terms, proved; numbers: the derived value rounds to "
     "the printed digits",
-    REWRITTEN: "proved equal over the rationals once the relations that the row names are used",
+    REWRITTEN: "proved equal over the rationals with the relations named in the row",
     DIFFERS: "the exact difference is not zero, or the printed digits are not the rounding of the derived value",
-    AMBIGUOUS: "our plain text lost a sign or a bracket; every reading was tried, and this one differs where another "
-    "holds",
+    AMBIGUOUS: "our plain-text copy of the paper lost a sign or a bracket; of the possible readings another one is "
+    "proved, and this one differs",
     INPUT: "a value that the author chose: nothing to derive",
     TRUE: "the sentence holds, by the evidence given",
     FALSE: "the sentence does not hold, by the evidence given",

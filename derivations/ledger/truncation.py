@@ -97,8 +97,8 @@ def cost(facts: Facts) -> list[dict[str, str]]:
     F_cr, Omega_cr = exact.detachment(detachment.Omega)
     pairs = [
         ("F_SN", onset.F_0, F_SN),
-        ("its Omega", onset.Omega, at_onset[0]),
-        ("its A", onset.A, at_onset[1]),
+        ("Omega_SN", onset.Omega, at_onset[0]),
+        ("A_SN", onset.A, at_onset[1]),
         ("F_cr", detachment.F_0, F_cr),
         ("Omega_cr", detachment.Omega, Omega_cr),
     ]

@@ -37,9 +37,9 @@ APPROXIMATE = "approximate"
 #: what each verdict says, in the order of the summary
 VOCABULARY = {
     IDENTICAL: "the same expression up to the order of terms, proved",
-    REWRITTEN: "proved equal once what the row names is used",
+    REWRITTEN: "proved equal with the relations named in the row",
     APPROXIMATE: "the publication gives it as an approximation; the row has its error, from certified values",
-    DIFFERS: "the exact difference is not zero: it is shown",
+    DIFFERS: "the exact difference, which is shown, is not zero",
     TRUE: "the sentence holds, by the proof or the certified value given",
     LOOSE: "holds only with a condition that is not stated",
     FALSE: "does not hold, by the proof given",
