@@ -377,7 +377,7 @@ def page(numbers: Numbers) -> str:
         "",
         "![Errors of roots against condition](stability_roots.png)",
         "",
-        *(f"- {kind}: {name}" for kind, name in roots.NAMES.items()),
+        *(f"- *{kind}*: the {name}" for kind, name in roots.NAMES.items()),
         "",
         "For double and triple roots, where kappa is infinite, only the number of roots is compared.",
         "",
@@ -403,7 +403,7 @@ def page(numbers: Numbers) -> str:
         f"at relative distances of an ulp to 0.1 from them: {counts.FORCINGS['states']} at each frequency for states,",
         f"{counts.FORCINGS['folds']} for each oscillator for folds, with zeta from 1e-4 to 0.5. *Next to a level*",
         f"means within {counts.UNDECIDED:g} u (1 + κ) of it: rounding the arguments once may shift the level across",
-        "the forcing. *Wrong* numbers are those that are not marked as undecided. Of the *undecided* ones",
+        "the forcing. Only numbers that are not marked as undecided count as *wrong*. Of the *undecided* ones",
         f"{counts.ASKED_OF_BALLS:.0%}, drawn at random, were repeated in ball arithmetic.",
         "",
         *columns_of(COUNTS, totals(numbers["counts"])),
@@ -479,7 +479,7 @@ def balls_fraction(numbers: Numbers) -> str:
     total, proved = (
         sum(sum(found[name].values()) for found in numbers["families"].values()) for name in ("queries", "proved")
     )
-    return f"{proved:,} of {total:,} in families that are hard for double precision"
+    return f"{proved:,} of {total:,} questions about hard cases are proved"
 
 
 def proof_lines(numbers: Numbers) -> list[str]:

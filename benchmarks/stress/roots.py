@@ -21,9 +21,9 @@ from tests.oracles.frequencies import roots as certified
 
 TARGET = 1.0
 NAMES = {
-    "response": "response quartic: Omega at given A and F_0 (24)",
-    "fold": "fold quartic: Omega of a fold at given A (30)",
-    "peak": "peak cubic: Omega where F_Omega = 0",
+    "response": "response quartic, Omega at given A and F_0 (24)",
+    "fold": "fold quartic, Omega of a fold at given A (30)",
+    "peak": "peak cubic, Omega where F_Omega = 0",
 }
 SEED = 11
 Solver = Callable[..., tuple[np.ndarray, np.ndarray]]
