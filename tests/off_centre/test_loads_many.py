@@ -155,3 +155,34 @@ def test_a_response_has_about_as_many_points_as_samples(samples):
     found = many.frequency_response(0.049, samples=samples, max_count=16)
     assert found.status == Status.OK and found.points == len(single)
     assert np.array_equal(found.A[: len(single)], single.A)
+
+
+#: designs whose force rises, the forcing, and excitations
+RISING = {
+    "hardening": (Duffing.many, {"alpha": 1.0, "beta": [[0.0], [0.3], [1.0]], "mu": 0.01}, 0.15, "force"),
+    "base": (Duffing.many, {"alpha": 1.0, "beta": [[0.3], [1.0]], "mu": 0.0, "eta": 0.02}, 0.1, "base"),
+    "truncated": (
+        Isolator.many,
+        {"lam": 3, "r": 2.03, "delta_h": [[0.06], [0.09]], "mu": 0.012, "force": "truncated"},
+        0.08,
+        "force",
+    ),
+    "untruncated": (Isolator.many, {"lam": 3, "r": 2.03, "delta_h": 0.09, "mu": 0.012}, 0.08, "force"),
+}
+
+
+@pytest.mark.parametrize("case", ["hardening", "base", "truncated", *slow("untruncated")])
+def test_states_and_folds_without_a_proof_are_those_with_one(case):
+    """Several at a tone among them; each of their columns."""
+    many, numbers, F_0, excitation = RISING[case]
+    designs = many(**numbers, zeta=0.02, load=0.03, excitation=excitation)
+    at = {"Omega": np.linspace(0.6, 1.6, 30), "F_0": F_0}
+    found, proved = designs._by_doubles("amplitudes", max_count=6, **at), designs.amplitudes(**at)
+    assert (proved.count > 1).any() and np.array_equal(found.count, proved.count)
+    for name in ("A", "B", "phi", "transmissibility", "stable", "status"):
+        np.testing.assert_allclose(getattr(found, name), getattr(proved, name), rtol=1e-12, err_msg=name)
+    at = {"F_0": F_0 * np.array([0.1, 0.7, 1.0, 1.3])}
+    found, proved = designs._by_doubles("saddle_nodes", max_count=6, **at), designs.saddle_nodes(**at)
+    assert (proved.count > 1).any() and np.array_equal(found.count, proved.count)
+    for name in ("Omega", "A", "B", "kind", "status"):
+        np.testing.assert_allclose(getattr(found, name), getattr(proved, name), rtol=1e-9, err_msg=name)

@@ -12,6 +12,7 @@ from scipy.optimize import brentq
 
 from slowflow import Duffing, Isolator, derive
 from slowflow.example import isolator
+from slowflow.off_centre import by_amplitudes
 from slowflow.sizing import fit, from_loop, front, meet, sobol, tolerances
 from slowflow.sizing.subject import Subject
 from slowflow.support import progress
@@ -646,16 +647,16 @@ def test_a_decay_and_a_loop_have_the_numbers_of_their_spring():
         for row in single:
             (both,) = (one for one in together if one.parameter == row.parameter)
             assert both.error < row.error * 1.05
-    assert 0.85 < together.deviation < 1.15 and "linear" in by_decay.message
+    assert 0.85 < together.deviation < 1.15 and not by_decay.message
 
 
 @pytest.mark.night
 def test_intervals_of_decays_hold_the_truth_in_95_of_100():
     start = Duffing.physical(m=12, k_1=2500, k_3=4e5, friction=0.4, c=8)
     random, covered = np.random.default_rng(0), []
-    for _ in range(200):
+    for _ in range(100):
         covered += of_spring(fit(start, *in_time(random)))
-    assert 0.93 < np.mean(covered) < 0.97
+    assert 0.92 < np.mean(covered) < 0.98  # of 100 fits twice as far as chance moves it
 
 
 def test_a_loop_across_the_stroke_has_the_springs_of_its_mount():
@@ -844,20 +845,49 @@ def test_designs_under_a_load_stick_where_they_stand():
 @pytest.mark.slow
 def test_a_fit_under_a_load_has_the_numbers_of_its_design():
     """Amplitudes, phases and jumps of one design without noise, from another load too."""
-    one, Omega, folds = isolator(load=0.03), np.linspace(0.6, 1.4, 4), isolator(load=0.03).saddle_nodes(0.04)
-    states = [one.amplitudes(Omega=at, F_0=0.02) for at in Omega]
+    one, Omega = Duffing(1.0, 0.5, mu=0.01, zeta=0.03, load=0.2), np.linspace(0.6, 1.6, 4)
+    folds, states = one.saddle_nodes(0.12), [one.amplitudes(Omega=at, F_0=0.06) for at in Omega]
     sets = [
-        {name: [getattr(found, name)[found.stable][0] for found in states], "Omega": Omega, "F_0": 0.02}
+        {name: [getattr(found, name)[found.stable][0] for found in states], "Omega": Omega, "F_0": 0.06}
         for name in ("A", "phi")
     ]
     sets += [
-        {name: folds.Omega[folds.kind == name.replace("_", "-")], "F_0": 0.04} for name in ("jump_up", "jump_down")
+        {name: folds.Omega[folds.kind == name.replace("_", "-")], "F_0": 0.12} for name in ("jump_up", "jump_down")
     ]
-    free = ["load", "zeta", "r"]
-    start = one.replace(load=0.028, zeta=0.025, r=2.1)
+    free = ["load", "zeta", "beta"]
+    start = one.replace(load=0.19, zeta=0.035, beta=0.55)
     found = fit(start, *({**each, "deviation": 0.001} for each in sets), free=free)
     assert found.value == pytest.approx([one.given[name] for name in free], rel=1e-7)
-    assert found.design.load == found.value[0] and "under a load" in found.message
+    assert found.design.load == found.value[0] and not found.message
+
+
+def of_linear_spring(load):
+    """A fit of its damping; the load moves the mean alone."""
+    one, Omega = Duffing(1.0, 0.0, mu=0.01, zeta=0.05), np.linspace(0.7, 1.4, 15)
+    A = one.amplitudes(Omega=Omega, F_0=0.05).A * (1 + 0.02 * np.cos(np.arange(15) ** 2))
+    return fit(one.replace(zeta=0.03, load=load), A=A, Omega=Omega, F_0=0.05, free=["zeta"])
+
+
+@pytest.mark.slow
+def test_a_load_on_a_linear_spring_leaves_its_fit_alone():
+    """With as many starts, and intervals of the same likelihood, whose ends are looked for to a hundredth."""
+    without, found = of_linear_spring(0.0), of_linear_spring(0.3)
+    np.testing.assert_allclose(found.value, without.value, rtol=1e-6)
+    for end in (found.low - without.low, found.high - without.high):
+        assert (np.abs(end) < 0.02 * (without.high - without.low)).all()
+    assert not found.message and not np.allclose(found.high - found.value, found.value - found.low, rtol=0.01)
+
+
+@pytest.mark.slow
+def test_states_that_a_search_misses_are_reported(monkeypatch):
+    """The residuals are those of the motions that are proved: here the search sees two amplitudes alone."""
+    one, Omega = Duffing(1.0, 0.6, zeta=0.02, load=0.2), np.linspace(1.0, 1.5, 8)
+    states = [one.amplitudes(Omega=at, F_0=0.1) for at in Omega]
+    A = np.array([found.A[found.stable].max() for found in states])
+    monkeypatch.setattr(by_amplitudes, "NODES", 2)
+    monkeypatch.setattr(by_amplitudes, "FINE", 1)
+    found = fit(one, A=A, Omega=Omega, F_0=0.1, free=["zeta"])
+    assert "points the motions of the fitted design, which are proved" in found.message
 
 
 def test_a_decay_under_a_load_has_the_numbers_of_its_spring():

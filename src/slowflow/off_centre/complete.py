@@ -137,7 +137,7 @@ class Complete:
             if best is not None and best.A > self.A_max(best.F_0):
                 raise NotSettled("folds occur at ever lower forcings towards ever larger amplitudes")
             # a first one may lie beyond what is looked at for small forcings
-            first = min(2.0**FIRST * self.A_max(self._flow.m), self._grown)
+            first = min(2.0**FIRST * self.A_max(self._flow.m), self._steps.grown)
             A_max, F_0 = (first, math.inf) if best is None else (self.A_max(best.F_0), best.F_0)
             lower = search.lower(A_max, F_0)
             if lower is None:
@@ -156,12 +156,7 @@ class Complete:
             damped = F_0 / flow.zeta if F_0 > 0 else 0.0
         else:
             damped = 2 * float(replace(flow, mu=0.0).bound(1.0, F_0))
-        return min(2.0**ABOVE * max(self._steps.size, F_0, damped), self._grown)
-
-    @property
-    def _grown(self) -> float:
-        """Amplitudes at which a force that is no polynomial is beyond any forcing."""
-        return math.inf if self._steps.beyond is None else max(one.grown for one in self._steps.beyond)
+        return min(2.0**ABOVE * max(self._steps.size, F_0, damped), self._steps.grown)
 
     def offset_bound(self, A: float) -> float:
         """What |B| does not exceed where the mean is balanced, for amplitudes up to A: no motion is all `settled`."""
@@ -178,7 +173,7 @@ class Complete:
             bounds = self._flow.bound(Omega, force) * (1 + 2.0**-40)
         # at Omega = 0 it is a static state
         most = max(self.A_max(F_0), float(bounds[np.isfinite(bounds)].max(initial=0.0)))
-        most = min(most, self._grown)
+        most = min(most, self._steps.grown)
         boxes = self.sheets.states(most, Omega, F_0, self._flow)
         return self._solved(states(self.sheets.charts, self._flow, Omega, F_0), *boxes)
 

@@ -26,9 +26,10 @@ from slowflow.core.mechanism import Mechanism
 from slowflow.core.model import AT_CENTRE, WITH_MEAN, Floats, Model, off_centre_by
 from slowflow.core.validate import NotAvailable
 from slowflow.exact import shocks_many
+from slowflow.off_centre import by_amplitudes
 from slowflow.off_centre.answers import NUMBERS
 from slowflow.off_centre.flow import Flow
-from slowflow.off_centre.means import NO_MEANS, NOT_SMOOTH
+from slowflow.off_centre.means import NO_MEANS, NOT_SMOOTH, Steps
 from slowflow.off_centre.questions import OffCentre
 from slowflow_kernels.conventions import GradientStatus, Status
 from slowflow_kernels.domains import DAMPING
@@ -146,8 +147,43 @@ class OffCentreDesigns(many.Designs):
         return self._answered(Question(question, one, None, 1, OFFSET, points), arguments, workers, options)
 
     def _by_doubles(self, question: str, *, max_count: int, **at: Any) -> Batch:
-        """As any answer: no balls decide about offset motions."""
-        return self._ask(question, max_count=max_count, **at)
+        """Folds or states, of a force that rises with u without a proof; those of a design together."""
+        tones = {name: np.asarray(value, dtype=float) for name, value in at.items()}
+        shape = validate.common_shape({**self.values, **tones})
+        columns = QUESTIONS[question].blank(OFFSET, shape, place=max_count)
+        columns["status"][...] = Status.INVALID
+        others = (slice(None),) * (len(shape) - len(self.shape))
+        for place, numbers, _ in self._each(np.ones(self.shape, dtype=bool)):
+            here = (*others, *(slice(None) if n == 1 else k for k, n in zip(place, self.shape, strict=True)))
+            own = {name: np.broadcast_to(tone, shape)[here] for name, tone in tones.items()}
+            for name, column in self._of_design(question, tuple(numbers), max_count, own).items():
+                columns[name][here] = column
+        return OffCentreBatch(question, columns, self, at, OFFSET, remarks=np.zeros(shape, np.uint16))
+
+    def _of_design(
+        self, question: str, numbers: tuple[float, ...], max_count: int, at: Mapping[str, Any]
+    ) -> Mapping[str, Any]:
+        """Columns of all folds, or states, of one design."""
+        try:
+            model, load = self._model(numbers), numbers[-1]
+            steps, flow = Steps(model.mechanism, model.parameters, load), Flow.of(model)
+            solve = by_amplitudes.states if question == "amplitudes" else by_amplitudes.folds
+            found = solve(steps, flow, **{name: tone.ravel() for name, tone in at.items()}) if load else None
+        except (ValueError, ArithmeticError) as error:
+            return {"status": failed(error)}
+        if found is None:
+            one = OffCentreDesigns(self.mechanism, dict(zip(self.values, numbers, strict=True)), self.excitation)
+            return one._ask(question, max_count=max_count, **at)._values
+        of, values = found
+        shape = at["F_0"].shape
+        columns = QUESTIONS[question].blank(OFFSET, (at["F_0"].size,), place=max_count)
+        place = np.arange(of.size) - np.searchsorted(of, of)
+        there = place < max_count
+        for name, value in values.items():
+            columns[name][of[there], place[there]] = value[there]
+        columns["count"][...] = np.bincount(of, minlength=at["F_0"].size)
+        columns["status"][...] = np.where(columns["count"] > max_count, Status.TOO_MANY, Status.OK)
+        return {name: column.reshape((*shape, *column.shape[1:])) for name, column in columns.items()}
 
     def _spectrum(self, Omega: Any, F_0: Any) -> Batch:
         """Rows with several forcings take some tenths of a second each."""

@@ -132,6 +132,11 @@ class Steps:
             raise Refused(UNBOUNDED)
         return found
 
+    @property
+    def grown(self) -> float:
+        """Amplitudes at which a force that is no polynomial is beyond any forcing."""
+        return math.inf if self.beyond is None else max(one.grown for one in self.beyond)
+
     def check_balanced(self) -> None:
         """Raises ArithmeticError where the force is the load on a whole interval of u, as in a dead zone."""
         if self.curved is not None or self.odd:

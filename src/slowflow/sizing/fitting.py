@@ -10,6 +10,7 @@ import contextlib
 import warnings
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import partial
 from typing import TYPE_CHECKING, Any, Unpack
 
 import numpy as np
@@ -51,6 +52,8 @@ AGAIN, OTHER, NOTHING = 3, 1e-3, 1e-15
 MAX_COUNT = 6
 #: a narrower interval, as a share of the number, is one of rounding; a step of slopes, as a share of a number
 WIDTH, STEP = 1e-9, 2.0**-26
+#: by how much a motion may be off, as a share of the measured value, and be the one that is proved
+SAME = 1e-6
 #: designs of each group in the search for the ends of intervals, steps of these at most, and in how many of them no end
 #: moves by more than a share of its distance from the middle when it is done
 MEMBERS, GENERATIONS, PATIENCE, NEARLY = 12, 600, 40, 1e-2
@@ -58,10 +61,6 @@ MEMBERS, GENERATIONS, PATIENCE, NEARLY = 12, 600, 40, 1e-2
 DECADES = (-2.5, -0.3)
 OTHER_START = "a search from the given start ends with a sum of squares of {:.3g}, from another one with {:.3g}"
 OPEN = "the points do not determine {}: an interval has no end within 1/1000 to 1000 times the start value"
-LINEAR = (
-    "the intervals are those of the linearized equations: with other laws of damping, under a load, and for a free "
-    "decay, the profile likelihood would take too long"
-)
 #: slower than this share of the fastest, a motion turns: friction changes sides, and may take a displacement for it
 TURNS = 0.1
 #: samples of the polynomials that give the velocity, one in so many of all, and their degree
@@ -73,11 +72,17 @@ LEAST_SAMPLES = 10
 MEASURED = ("A", "phi", "jump_up", "jump_down", "backbone", "x", "t")
 #: a velocity that leaves friction alone
 SLOW = 1e-100
+UNPROVED = (
+    "at {} of the {} points the motions of the fitted design, which are proved, are not those that the search found: "
+    "the fit may not be the best one"
+)
 ABSENT = "the fitted design has no such motion, or jump, at {} of the {} points"
 
 
 #: of designs, a row each, what they leave at each point
 Residuals = Callable[[Floats], Floats]
+#: what designs have at each point, a row each, from their numbers by name, and whether doubles suffice without a proof
+OfDesigns = Callable[[Mapping[str, Any], bool], Floats]
 
 
 @dataclass(frozen=True, eq=False)
@@ -153,11 +158,11 @@ def fit(
     Noise is assumed to be normal and equal at all points; with noise in proportion to the amplitude the intervals are
     too narrow. The intervals account for noise alone, not for the error of averaging, which may shift a parameter by a
     percent. They use the profile likelihood with Student's t: in 100 fits of one to four parameters, 91 to 96 % of the
-    intervals contained the true value, 88 to 97 % for curves that jump, see docs/howto/fit.md. For damping laws other
-    than mu and zeta, and under a load, they are linearized. If the data do not bound a parameter, its interval ends at
-    0 or inf, and the message names the parameter. Six starting points are tried (for a free decay and under a load only
-    the given one), which does not prove that there is no lower minimum; the message reports if the given start leads to
-    a higher one.
+    intervals contained the true value, 88 to 97 % for curves that jump, see docs/howto/fit.md. If the data do not bound
+    a parameter, its interval ends at 0 or inf, and the message names the parameter. Six starting points are tried,
+    which does not prove that there is no lower minimum; the message reports if the given start leads to a higher one.
+    The search finds motions without a proof; the residuals are those of proved motions of the fitted design, and the
+    message reports where the search found others.
 
     Parameters
     ----------
@@ -178,10 +183,9 @@ def fit(
         With A and no forcing: frequencies of free vibration at these amplitudes, or of resonance, for a mount in Hz.
     x, t : array_like, optional
         A free decay: displacements (for a mount in m) and their times (in s), released from rest at the first sample.
-        The equation of motion is integrated from an initial displacement x_0 that is fitted too; the intervals are
-        linearized. The decay of the starting point must stay in phase with the data, within a fraction of a cycle.
-        Instead with F, forces in N: a force-displacement loop, whose viscous part needs the times; its mean force is
-        ignored.
+        The equation of motion is integrated from an initial displacement x_0 that is fitted too. The decay of the
+        starting point must stay in phase with the data, within a fraction of a cycle. Instead with F, forces in N: a
+        force-displacement loop, whose viscous part needs the times; its mean force is ignored.
     free : sequence of str, optional
         Names of the parameters to fit; by default friction, damping and stiffnesses.
     **at : Measured
@@ -249,8 +253,8 @@ def _together(sets: Sequence[_Measured], deviations: Sequence[Any]) -> _Measured
         for of, one in zip(sets, deviations, strict=True)
     ]
 
-    def of_designs(numbers: Mapping[str, Any]) -> Floats:
-        rows = [of.of_designs(numbers) / one for of, one in zip(sets, each, strict=True)]
+    def of_designs(numbers: Mapping[str, Any], by_doubles: bool) -> Floats:
+        rows = [of.of_designs(numbers, by_doubles) / one for of, one in zip(sets, each, strict=True)]
         return np.concatenate(rows, axis=-1)
 
     values = np.concatenate([of.values / one for of, one in zip(sets, each, strict=True)])
@@ -270,7 +274,7 @@ class _Measured:
 
     values: Floats
     at: Floats
-    of_designs: Callable[[Mapping[str, Any]], Floats]
+    of_designs: OfDesigns
     names: tuple[str, str]
     released: float = 0.0
 
@@ -288,17 +292,15 @@ def _fitted(subject: Subject, measured: _Measured, names: list[str]) -> Fit:
     if size <= len(names):
         raise Refused(f"{size} points are too few for {len(names)} parameters")
     start = np.array([subject.nominal[name] or FROM_NOTHING for name in names])
-    one_by_one = subject.one_by_one
     if measured.released:
-        names, start, one_by_one = [*names, RELEASED], np.append(start, measured.released), True
+        names, start = [*names, RELEASED], np.append(start, measured.released)
 
-    def residuals(x: Floats) -> Floats:
+    def residuals(x: Floats, by_doubles: bool = True) -> Floats:
         """Measured less what designs have, a row each; all that was measured where there is none, or no design."""
         columns = dict(zip(names, (x * start).T[..., np.newaxis], strict=True))
-        return np.asarray(measured.values - measured.of_designs(columns))
+        return np.asarray(measured.values - measured.of_designs(columns, by_doubles))
 
-    # far from the frequency of a decay no start leads to it; motions under a load take too long
-    found, own = _best(residuals, len(start), 0 if measured.released or subject.loaded else STARTS)
+    found, own = _best(residuals, len(start))
     left = size - len(names)
     half = float(stdtrit(left, 0.5 * (1 + CONFIDENCE)))
     ends = None
@@ -306,7 +308,7 @@ def _fitted(subject: Subject, measured: _Measured, names: list[str]) -> Fit:
         ran_out = (found.x < LEAST * (1 + AT_AN_END)) | (found.x > MOST * (1 - AT_AN_END))
         error = np.sqrt(np.diag(_covariance(found, left)))
         # without noise they are narrower than rounding
-        if one_by_one or ran_out.any() or (half * error < WIDTH * found.x).all():
+        if ran_out.any() or (half * error < WIDTH * found.x).all():
             break
         ends, lower = _region(residuals, found, half, left)
         if lower is None:
@@ -327,19 +329,21 @@ def _fitted(subject: Subject, measured: _Measured, names: list[str]) -> Fit:
         found_by_name = dict(zip(names, value.tolist(), strict=True))
         design = subject.of.replace(**{name: one for name, one in found_by_name.items() if name != RELEASED})
     scale = float(measured.values @ measured.values)
-    absent = np.count_nonzero(found.fun == measured.values)
+    (proved,) = residuals(found.x[np.newaxis], by_doubles=False)
+    others = np.count_nonzero(np.abs(proved - found.fun) > SAME * np.abs(measured.values))
+    absent = np.count_nonzero(proved == measured.values)
     message = joined(
         "" if found.success else f"the search did not converge: {found.message}",
         RAN_OUT.format(", ".join(np.array(names)[ran_out])) if ran_out.any() else "",
         OTHER_START.format(2 * own, 2 * found.cost) if own > found.cost * (1 + OTHER) + NOTHING * scale else "",
         OPEN.format(", ".join(open_)) if open_ else "",
-        LINEAR if one_by_one else "",
+        UNPROVED.format(others, size) if others else "",
         ABSENT.format(absent, size) if absent else "",
     )
     sheet = {**SHEET, RELEASED: "m"}
     units = np.array([sheet[name] if subject.mount else "" for name in names], dtype=np.str_)
     columns = (np.array(names), units, value, error * np.abs(start), low, high)
-    return Fit(*columns, design, np.asarray(found.fun), measured.at, measured.names, deviation, correlation, message)
+    return Fit(*columns, design, proved, measured.at, measured.names, deviation, correlation, message)
 
 
 def _covariance(found: Any, left: int) -> Floats:
@@ -364,7 +368,7 @@ def _search(residuals: Residuals, x: Floats, tolerance: float = 1e-12, most: int
     return least_squares(lambda x: residuals(x[np.newaxis])[0], x, slopes, bounds=bounds, x_scale="jac", **ends)
 
 
-def _best(residuals: Residuals, n: int, starts: int) -> tuple[Any, float]:
+def _best(residuals: Residuals, n: int) -> tuple[Any, float]:
     """The lowest minimum from several starts, always the same ones, and half of the sum of squares from the given one.
 
     Without noise, where the given start leads to the numbers, none is lower.
@@ -373,7 +377,7 @@ def _best(residuals: Residuals, n: int, starts: int) -> tuple[Any, float]:
     own = float(found.cost)
     # a low-discrepancy sequence: the fractional parts of multiples of powers of the root of x^(n + 1) = x + 1
     root = float(np.max(np.real(np.roots([1.0, *[0.0] * (n - 1), -1.0, -1.0]))))
-    for k in range(1, starts + 1):
+    for k in range(1, STARTS + 1):
         fraction = (0.5 + k * root ** -np.arange(1.0, n + 1)) % 1.0
         other = _search(residuals, FAR ** (2 * fraction - 1), tolerance=1e-4, most=30)
         if other.cost < found.cost * (1 - OTHER):
@@ -457,7 +461,8 @@ def _states(subject: Subject, conditions: Mapping[str, Any], name: str, values: 
     at, forcing, measured = (np.broadcast_to(array, shape).ravel() for array in points.values())
     what = f"measured minus fitted {name}"
     names = ("f/Hz", f"{what}/m" if name == "A" else what) if subject.mount else (next(iter(conditions)), what)
-    return _Measured(measured, at, lambda numbers: _nearest(subject, numbers, at, forcing, name, measured), names)
+    of_designs = partial(_nearest, subject, at=at, forcing=forcing, name=name, measured=measured)
+    return _Measured(measured, at, of_designs, names)
 
 
 def _jumps(subject: Subject, forcing: Any, up: Any, down: Any) -> _Measured:
@@ -475,10 +480,11 @@ def _jumps(subject: Subject, forcing: Any, up: Any, down: Any) -> _Measured:
     measured = np.array(seen)
     there = ~np.isnan(measured)
 
-    def of_designs(values: Mapping[str, Any]) -> Floats:
+    def of_designs(values: Mapping[str, Any], by_doubles: bool) -> Floats:
         """0 where a design does not jump."""
         designs, _, units = subject.designs(values)
-        folds = designs._by_doubles("saddle_nodes", max_count=MAX_COUNT, F_0=forces / units[subject.amplitude])
+        ask = designs._by_doubles if by_doubles else designs._ask
+        folds = ask("saddle_nodes", max_count=MAX_COUNT, F_0=forces / units[subject.amplitude])
         found = np.stack([first_jump(folds, True), first_jump(folds, False)], axis=-2)
         found = found * np.asarray(units["frequency"])[..., np.newaxis]
         return np.asarray(np.nan_to_num(found)[..., there])
@@ -498,7 +504,7 @@ def _backbone(subject: Subject, amplitudes: Any, frequencies: Any) -> _Measured:
     }
     A, measured = (np.broadcast_to(one, validate.common_shape(points)).ravel() for one in points.values())
 
-    def of_designs(values: Mapping[str, Any]) -> Floats:
+    def of_designs(values: Mapping[str, Any], _: bool) -> Floats:
         """0 where a design gives way."""
         designs, _, units = subject.designs(values)
         flow, at = designs._flow, A / units["length"]
@@ -515,12 +521,20 @@ def _backbone(subject: Subject, amplitudes: Any, frequencies: Any) -> _Measured:
 
 
 def _nearest(
-    subject: Subject, values: Mapping[str, Any], at: Floats, forcing: Floats, name: str, measured: Floats
+    subject: Subject,
+    values: Mapping[str, Any],
+    by_doubles: bool,
+    *,
+    at: Floats,
+    forcing: Floats,
+    name: str,
+    measured: Floats,
 ) -> Floats:
     """A or phi of the stable state of designs nearest to each measured one, 0 where there is none or the mass rests."""
     designs, _, units = subject.designs(values)
     Omega, F_0 = at / units["frequency"], forcing / units[subject.amplitude]
-    states = designs._by_doubles("amplitudes", max_count=MAX_COUNT, F_0=F_0, Omega=Omega)
+    ask = designs._by_doubles if by_doubles else designs._ask
+    states = ask("amplitudes", max_count=MAX_COUNT, F_0=F_0, Omega=Omega)
     if name == "A":
         there = states.A * np.asarray(units["length"])[..., np.newaxis]
     else:
@@ -568,7 +582,7 @@ def _decay(subject: Subject, x: Floats, t: Floats) -> _Measured:
     if not x[0]:
         raise Refused("x is not allowed: a free decay must begin with a displacement")
 
-    def of_designs(values: Mapping[str, Any]) -> Floats:
+    def of_designs(values: Mapping[str, Any], _: bool) -> Floats:
         """0 where a design's motion is lost."""
         begins = np.ravel(values[RELEASED])
         found = np.zeros((begins.size, x.size))
@@ -595,7 +609,7 @@ def _loop(subject: Subject, x: Floats, F: Floats, t: Floats | None = None) -> _M
         raise NotSettled("the loop does not determine a spring: x does not change")
     x, v, F = x[goes], v[goes] if t is not None else SLOW * np.sign(v[goes]), F[goes]
 
-    def of_designs(values: Mapping[str, Any]) -> Floats:
+    def of_designs(values: Mapping[str, Any], _: bool) -> Floats:
         found = np.zeros((np.size(next(iter(values.values()))), x.size))
         for k, system, sizes in _systems(subject, values):
             scaled = v * (sizes["time"] / sizes["length"])
