@@ -11,7 +11,7 @@ from derivations.ledger.rows import FALSE, LOOSE, TRUE
 from slowflow import Isolator, example
 from slowflow.exact import EquationOfMotion, exact_response, linear, steady_state
 from tests.files import ROOT, Lazily
-from tests.oracles.exact_reference import ScipyIntegrator, again
+from tests.oracles.exact_reference import again
 
 claims, validity, claims_page = map(Lazily, ("benchmarks.claims", "benchmarks.validity", "benchmarks.claims_page"))
 
@@ -39,7 +39,7 @@ def state(averaged, Omega, F_0, A=None):
 
 def by_scipy(found):
     """A motion that SciPy's integrator finds too."""
-    assert again(found, ScipyIntegrator()).A == pytest.approx(found.A, rel=1e-8)
+    assert again(found).A == pytest.approx(found.A, rel=1e-8)
     return found
 
 

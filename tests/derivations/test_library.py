@@ -17,7 +17,7 @@ from slowflow import derive
 from slowflow.app.cli import main
 from slowflow.exact import steady_state, sweep
 from tests.files import ROOT
-from tests.oracles.exact_reference import ScipyIntegrator, again
+from tests.oracles.exact_reference import again
 
 PAGE = ROOT / "docs" / "mechanisms.md"
 F = mp.mpf
@@ -122,7 +122,7 @@ def test_library_motions_are_independent_and_the_same_in_threads():
     for name, found in [*single.items(), *beyond.items()]:
         assert found.residual <= 1e-14, name
         assert sweep(systems[name], Omega=[found.Omega], F_0=found.F_0).A[0] == found.A, name
-        other = again(found, ScipyIntegrator())
+        other = again(found)
         condition = 1.0 / (1.0 - np.max(np.abs(found.multipliers)))
         assert abs(other.A - found.A) <= 1e-10 * condition * found.A, name
         assert np.max(np.abs(other.multipliers - found.multipliers)) <= 1e-10 * condition, name

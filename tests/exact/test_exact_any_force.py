@@ -23,7 +23,7 @@ from slowflow_kernels.exact_conventions import Event
 from tests.derivations.test_taylor import CONSTANTS, a, b, fake_module, slope_of
 from tests.derivations.test_taylor import FORCES as EVERY
 from tests.native.compiler import COMPILER, ROOT, compiled
-from tests.oracles.exact_reference import Compiled, Drive, ScipyIntegrator, again
+from tests.oracles.exact_reference import Compiled, Drive, again
 
 pytestmark = [pytest.mark.skipif(COMPILER is None, reason="no C compiler (cc) on the path")]
 
@@ -162,7 +162,7 @@ def test_a_curve_at_a_contact(pieces):
     assert len(curve.folds) == 2 and not curve.stable.all()
     state = curve.steady_state(len(curve) // 2)
     assert state.residual <= 1e-14
-    other = again(state, ScipyIntegrator())
+    other = again(state)
     assert other.A == pytest.approx(state.A, rel=1e-10)
     assert np.max(np.abs(other.multipliers - state.multipliers)) <= 1e-9
 

@@ -189,7 +189,7 @@ def test_motions_of_every_oscillator_are_scipys(motions):
     """Amplitude, multipliers and switches: to 1e-10 times the motion's condition; they close to 1e-14."""
     for one, found in motions:
         assert found.residual <= 1e-14, one
-        other = again(found, ScipyIntegrator())
+        other = again(found)
         assert abs(other.A - found.A) <= 1e-10 * condition(found) * found.A, one
         assert np.max(np.abs(other.multipliers - found.multipliers)) <= 1e-10 * condition(found), one
 
@@ -223,7 +223,7 @@ def test_sweeps_settle_to_motions_of_scipy(motions):
         found = converge(forced, 0.0, before.u, before.v, lengths(system), 2000).found
         assert found.A == swept.A[1]
         if k in by_scipy:
-            other = again(found, ScipyIntegrator())
+            other = again(found)
             assert abs(other.A - swept.A[1]) <= 1e-10 * condition(found) * swept.A[1], (system, Omega, F_0)
         apart += abs(found.A - from_rest.A) > 1e-6 * found.A
     assert apart > 0
@@ -242,7 +242,7 @@ def test_motions_under_every_law_of_damping_are_scipys(law, Omega, F_0, stops):
     """With rests and beyond u_cr: amplitude, multipliers, switches."""
     system = ISOLATOR.replace(zeta=0.02, **law).equation_of_motion()
     found = steady_state(system, Omega=Omega, F_0=F_0)
-    other = again(found, ScipyIntegrator())
+    other = again(found)
     assert found.stops == stops and found.residual <= 1e-14
     assert other.A == pytest.approx(found.A, rel=1e-11)
     assert np.max(np.abs(other.multipliers - found.multipliers)) <= 1e-11

@@ -8,7 +8,7 @@ import sympy as sp
 
 from slowflow import Oscillator, derive
 from tests.oracles import by_time
-from tests.oracles.exact_reference import ScipyIntegrator, again
+from tests.oracles.exact_reference import again
 from tests.sampling import slow
 
 u, c, k, hard, gap = sp.symbols("u c k hard gap")
@@ -108,7 +108,7 @@ def test_broken_power_behind_a_preload_has_scipys_motions():
     one = derive.mechanism("broken", pieces, {"c": ABOVE_0, "k": ABOVE_0})(c=C, k=K, mu=MU, zeta=ZETA)
     for Omega in (0.5, 0.8, 1.2):
         found = one.steady_state(Omega=Omega, F_0=0.15)
-        other = again(found, ScipyIntegrator())
+        other = again(found)
         assert other.A == pytest.approx(found.A, rel=1e-12)
         np.testing.assert_allclose(
             np.sort_complex(found.multipliers), np.sort_complex(other.multipliers), rtol=0, atol=1e-10

@@ -13,7 +13,7 @@ from slowflow.exact.sweep import _is_stable as is_stable_branch
 from slowflow.example import TABLE_1
 from tests.oracles import by_time
 from tests.oracles.exact_cases import isolator, random_cases, table_1
-from tests.oracles.exact_reference import ScipyIntegrator, again
+from tests.oracles.exact_reference import again
 from tests.sampling import part
 
 FORCINGS = (0.025, 0.03, 0.0301, 0.04, 0.05)
@@ -322,7 +322,7 @@ def test_points_of_a_curve_are_motions_by_scipy(curves):
     curve = curves[True, 0.04]
     for k in part([k for k in range(0, len(curve), 5) if not curve.states[k].role], 4):
         state = curve.steady_state(k)
-        other, enlarged = again(state, ScipyIntegrator()), 1 / np.min(np.abs(1 - state.multipliers))
+        other, enlarged = again(state), 1 / np.min(np.abs(1 - state.multipliers))
         assert abs(other.A - state.A) <= 1e-11 * enlarged
         apart = np.sort_complex(other.multipliers) - np.sort_complex(state.multipliers)
         assert np.max(np.abs(apart)) <= 1e-10 * enlarged

@@ -13,7 +13,7 @@ from slowflow.exact.measure import AT_REST, BORN, NO_MOTION, TAKEN, states
 from slowflow.example import isolator
 from slowflow_kernels import den_hartog
 from tests.oracles.by_time import last_turn, settled
-from tests.oracles.exact_reference import ScipyIntegrator, again
+from tests.oracles.exact_reference import again
 from tests.sampling import slow
 
 
@@ -37,7 +37,7 @@ def test_states_are_measured_by_the_motion_scipy_finds():
         system = iso.equation_of_motion(force)
         assert measured.stable.tolist() == averaged.stable.tolist() == [True, False, True]
         for state, entry in zip(averaged, measured, strict=True):
-            other = again(steady_state(system, (state.A, state.phi), Omega=0.9, F_0=0.04), ScipyIntegrator())
+            other = again(steady_state(system, (state.A, state.phi), Omega=0.9, F_0=0.04))
             assert abs(entry.A - other.A) <= 1e-9 and abs(entry.error - (state.A / other.A - 1.0)) <= 1e-8
     assert averaged.measure().A.tolist() == averaged.measure("truncated").A.tolist()
 

@@ -1,8 +1,8 @@
-"""Motions and cycles by another integrator, event by event in Python: what the compiled ones are held against.
+"""Motions and cycles by another integrator, phase by phase in Python: what the compiled ones are held against.
 
-In:  an oscillator, an integrator of smooth motion: `ScipyIntegrator` here, in benchmarks heyoka's too.
-Out: `follow`, the phases of a motion; `again`, a periodic motion solved for once more, with its multipliers;
-     `equations` of a cycle.
+In:  a motion, an integrator of smooth motion: `ScipyIntegrator` here, in benchmarks heyoka's too.
+Out: `assert_followed`, whether the phases of a motion are those of the mass; `again`, a periodic motion solved for once
+     more, with its multipliers; `equations` of a cycle.
 
 It states anew what src/slowflow/native/exact does with series, and shares with it the closed forms of slowflow_kernels
 alone. The order of switches is that of the motion found, which `again` sees hold by the other integrator.
@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import functools
 import math
+from collections.abc import Sequence
 from types import SimpleNamespace
 from typing import Any, NamedTuple
 
@@ -20,14 +21,12 @@ from scipy.integrate import solve_ivp
 
 from slowflow.exact import EquationOfMotion, Force
 from slowflow.exact.cycle import Cycle
-from slowflow.exact.motion import EXACT, PHASE, Forced, Phase, advance, edge_ahead, handle, signature
+from slowflow.exact.motion import EXACT, PHASE, Forced, Phase, advance, edge_ahead, handle
 from slowflow_kernels import motion
-from slowflow_kernels.exact_conventions import FAR, GRAZING, MOST_PHASES, TOLERANCE, Event
+from slowflow_kernels.exact_conventions import FAR, TOLERANCE, Event
 
-TURN = 2 * math.pi
 MOST_CALLS = 200_000  # of one integration
-OF_TURN = 1e-14  # share of a turn by which rounding may miss its end
-NUDGES = (1e-3, 1e-4, 1e-5, 1e-6)  # angles over which a start at rest moves off before stops are looked for
+WITHIN = 1e-9  # of displacements, velocities, forces and angles
 
 
 class Drive(NamedTuple):
@@ -112,14 +111,6 @@ class ScipyIntegrator:
     name = "scipy"
     _tolerances = {"method": "DOP853", "rtol": 1e-13, "atol": 1e-15}  # noqa: RUF012
 
-    @staticmethod
-    def _field(piece: Any, drive: Any) -> Any:
-        def field(theta: float, y: Any) -> Any:
-            resists, _ = resistance(drive, y[1])
-            return motion.rates(np.cos(theta), y[1], drive.Omega, drive.F_0, drive.zeta, resists, piece(y[0]))
-
-        return field
-
     def advance(self, piece: Any, drive: Any, theta: float, u: float, v: float, end: float) -> Any:
         """As of `slowflow.exact.motion`."""
         Omega, F_0, zeta, *_ = drive
@@ -143,38 +134,14 @@ class ScipyIntegrator:
         y = self._solve(variational, (theta, end), start).y[:, -1]
         return float(y[0]), float(y[1]), y[2:].reshape(2, 4)
 
-    def until(
-        self, piece: Any, drive: Any, slip: int, edge: float, theta: float, u: float, v: float, end: float
-    ) -> Any:
-        """As of `slowflow.exact.motion`."""
+    def path(self, piece: Any, drive: Any, theta: float, u: float, v: float, end: float) -> Any:
+        """u and v at the integrator's own steps."""
 
-        def stop(_: float, y: Any) -> float:
-            return float(slip * y[1])
+        def field(at: float, y: Any) -> Any:
+            resists, _ = resistance(drive, y[1])
+            return motion.rates(np.cos(at), y[1], drive.Omega, drive.F_0, drive.zeta, resists, piece(y[0]))
 
-        def arrival(_: float, y: Any) -> float:
-            return float(slip * (y[0] - edge))
-
-        for event, direction in ((stop, -1.0), (arrival, 1.0)):
-            event.terminal = True  # type: ignore[attr-defined]
-            event.direction = direction  # type: ignore[attr-defined]
-        field = self._field(piece, drive)
-        solution = self._solve(field, (theta, end), np.array([u, v]), events=[stop, arrival])
-        for code, times in ((Event.STOP, solution.t_events[0]), (Event.EDGE, solution.t_events[1])):
-            if times.size:
-                return self._refined(field, edge, solution, float(times[0]), code)
-        return end, float(solution.y[0, -1]), float(solution.y[1, -1]), Event.TIME
-
-    def _refined(self, field: Any, edge: float, solution: Any, at: float, code: int) -> Any:
-        """The event's time by Newton from the start of its step: the dense output alone is too coarse."""
-        begin, start = float(solution.t[-2]), solution.y[:, -2]
-        for _ in range(8):
-            u, v = self._solve(field, (begin, at), start).y[:, -1] if at != begin else start
-            u_dot, v_dot = field(at, np.array([u, v]))
-            change = v / v_dot if code == Event.STOP else (u - edge) / u_dot
-            if not abs(change) > 1e-15 * max(1.0, abs(at)):
-                break
-            at -= change
-        return at, float(u), float(v), code
+        return self._solve(field, (theta, end), np.array([u, v])).y
 
     def _solve(self, field: Any, span: tuple[float, float], start: Any, **options: Any) -> Any:
         left = MOST_CALLS
@@ -194,120 +161,33 @@ class ScipyIntegrator:
         return solution
 
 
-def break_away(forced: Forced, region: int, theta: float, u: float) -> tuple[float, int]:
-    """When and in which direction a mass at rest at u moves off, at or after theta; (inf, 0) if never."""
-    holds, amplitude = forced.system.holds(region), forced.force
-    force = forced.piece(region).value(u) - forced.system.load
-    found = (math.inf, 0)
-    for slip in (1, -1) if amplitude > 0 else ():
-        cosine = motion.breakaway(amplitude, slip * holds, force)
-        if abs(cosine) < 1.0:
-            # cos theta rises through it for slip = 1 and falls for slip = -1
-            angle = -slip * math.acos(cosine)
-            at = angle + TURN * math.ceil((theta - angle) / TURN - OF_TURN)
-            found = min(found, (max(at, theta), slip))
-    return found
-
-
-def after_stop(forced: Forced, slip: int, region: int, theta: float, u: float) -> int:
-    """What follows a stop reached in direction `slip`: the next direction, 0 if friction holds the mass."""
-    push, holds = forced.push(region, theta, u), forced.system.holds(region)
-    if holds > 0 and abs(push) <= holds:
-        return 0
-    return -slip if slip else (1 if push > 0 else -1)
-
-
-def follow(
-    forced: Forced, integrator: Any, theta: float, u: float, v: float, end: float, start: tuple[int, int] | None = None
-) -> list[Phase]:
-    """All phases from (theta, u, v) to `end`, as `slowflow.exact.motion.follow` has them."""
+def assert_followed(forced: Forced, phases: Sequence[Phase]) -> None:
+    """Assert that the mass goes through these phases, by SciPy: each begins where one ends, and holds no switch."""
     system = forced.system
-    if start is not None:
-        slip, region = start
-    else:
-        region = system.force.region_of(u)
-        slip = (1 if v > 0 else -1) if v != 0 else after_stop(forced, 0, region, theta, u)
-        if slip != 0 and u == edge_ahead(system, slip, region):
-            region += slip
-    phases: list[Phase] = []
-    most = MOST_PHASES * (1 + math.ceil((end - theta) / TURN))
-    while theta < end:
-        if len(phases) >= most:
-            raise ArithmeticError(f"the mass chatters near u = {u}")
+    for before, phase in zip([None, *phases], phases, strict=False):
+        slip, region, theta, u, v, end, u_end, v_end, event, *_ = phase
+        holds, edge = system.holds(region), edge_ahead(system, slip, region)
+        if before is not None:
+            assert np.allclose((theta, u, v), (before.end, before.u_end, before.v_end), rtol=0, atol=WITHIN)
         if slip == 0:
-            at, slip = break_away(forced, region, theta, u)
-            theta = _rest(phases, region, theta, u, min(at, end), end)
+            pushes = [abs(forced.push(region, at, u)) for at in np.linspace(theta, end, 200)]
+            assert max(pushes) <= holds + WITHIN
             continue
-        edge = edge_ahead(system, slip, region)
-        if slip * u >= FAR:
-            raise ArithmeticError("the motion escapes")
-        if slip * (u - edge) >= 0.0:  # turned round within rounding of a breakpoint
-            region += slip
-            continue
-        piece, drive = forced.piece(region), drive_of(forced, slip, region)
-        from_theta, from_u, from_v = theta, u, v
-        if v == 0.0:
-            started = _move_off(integrator, piece, drive, slip, edge, theta, u, end)
-            if started is None and system.holds(region) > 0:
-                # the push exceeds friction by too little and for too short a time to be told from rounding
-                region = 0 if u == 0.0 and system.force.jump != 0.0 else region
-                at, slip = break_away(forced, region, theta + NUDGES[-1], u)
-                theta = _rest(phases, region, theta, u, min(at, end), end)
-                continue
-            theta, u, v = started or (theta, u, v)
-        if theta < end:
-            theta, u, v, event = integrator.until(piece, drive, slip, edge, theta, u, v, end)
-        else:
-            event = Event.TIME
-        if event == Event.STOP:
-            v = 0.0
-        elif event == Event.EDGE:
-            u = edge
-            beyond = system.force.beyond(slip, region)
-            if abs(v) < GRAZING and slip * accelerated(forced, slip, beyond, theta, u, v) < 0.0:
-                v, event = 0.0, Event.STOP
-        phases.append(Phase(slip, region, from_theta, from_u, from_v, theta, u, v, event))
-        if event == Event.STOP and u == 0.0 and system.force.jump != 0.0:
-            region = 0
-        if event == Event.STOP:
-            slip = after_stop(forced, slip, region, theta, u)
-        elif event == Event.EDGE:
-            region += slip
-    return phases
+        if v == 0:
+            assert slip * forced.push(region, theta, u) >= holds - WITHIN
+        displacements, velocities = ScipyIntegrator().path(
+            forced.piece(region), drive_of(forced, slip, region), *phase[2:6]
+        )
+        assert np.allclose((u_end, v_end), (displacements[-1], velocities[-1]), rtol=0, atol=WITHIN)
+        assert (slip * velocities[1:-1] >= -1e-12).all() and (slip * (displacements - edge) <= WITHIN).all()
+        assert abs({Event.STOP: v_end, Event.EDGE: u_end - edge}.get(event, 0.0)) <= WITHIN
 
 
-def _rest(phases: list[Phase], region: int, theta: float, u: float, until: float, end: float) -> float:
-    """Adds a rest, or prolongs one that the last phase is; returns its end."""
-    event = Event.STOP if until < end else Event.TIME
-    if phases and phases[-1].slip == 0:
-        phases[-1] = phases[-1]._replace(end=until, event=event)
-    else:
-        phases.append(Phase(0, region, theta, u, 0.0, until, u, 0.0, event))
-    return until
-
-
-def _move_off(
-    integrator: Any, piece: Any, drive: Any, slip: int, edge: float, theta: float, u: float, end: float
-) -> tuple[float, float, float] | None:
-    """Leave rest by a short step without event detection, as rounding could find a stop at the very start.
-
-    The start itself where a breakpoint is too near; None if the mass does not move off.
-    """
-    slips = False
-    for nudge in NUDGES:
-        later = min(theta + nudge, end)
-        there_u, there_v, _ = integrator.advance(piece, drive, theta, u, 0.0, later)
-        if slip * there_v > 0.0:
-            slips = True
-            if slip * (there_u - edge) < 0.0:
-                return later, there_u, there_v
-    return (theta, u, 0.0) if slips else None
-
-
-def equations(cycle: Cycle, integrator: Any, z: Any, F_0: float) -> tuple[Any, Any, Any]:
-    """Residual at z, its derivatives by all of z but Omega, and the monodromy matrix with saltation at every switch."""
-    system, phases, Omega = cycle.system, cycle.signature, float(z[-1])
-    k = len(phases)
+def equations(cycle: Cycle, integrator: Any, z: Any, F_0: float) -> tuple[Any, Any, Any, list[Phase]]:
+    """Residual at z, its derivatives by all of z but Omega, the monodromy matrix with saltation, and the phases."""
+    system, order, Omega = cycle.system, cycle.signature, float(z[-1])
+    phases: list[Phase] = []
+    k = len(order)
     forced = Forced(system, Omega, F_0)
     u, v, theta = float(z[0]), 0.0, float(z[1])
     residual, jacobian = np.empty(k + 2), np.zeros((k + 2, k + 2))
@@ -315,9 +195,10 @@ def equations(cycle: Cycle, integrator: Any, z: Any, F_0: float) -> tuple[Any, A
     of_state, of_theta = np.eye(2, k + 2), np.eye(1, k + 2, 1)[0]
     of_state[1] = 0.0
     monodromy = np.eye(2)
-    for i, (slip, region) in enumerate(phases):
+    for i, (slip, region) in enumerate(order):
+        start = theta, u, v
         end = theta + float(z[2 + i])
-        next_slip, next_region = phases[(i + 1) % k]
+        next_slip, next_region = order[(i + 1) % k]
         if i == k - 1:
             next_slip, next_region = cycle.sign * next_slip, cycle.sign * next_region
         if slip == 0:
@@ -332,6 +213,7 @@ def equations(cycle: Cycle, integrator: Any, z: Any, F_0: float) -> tuple[Any, A
             jump = accelerated(forced, next_slip, region, end, u, 0.0) if system.mu_s > system.mu else 0.0
             monodromy[1] = motion.released(jump, Omega, by_theta, by_u) * monodromy[0]
             v, theta = 0.0, end
+            phases.append(Phase(slip, region, *start, end, u, v, Event.STOP))
             continue
         piece, drive = forced.piece(region), drive_of(forced, slip, region)
         rate = np.array([v, accelerated(forced, slip, region, theta, u, v)]) / Omega
@@ -355,31 +237,35 @@ def equations(cycle: Cycle, integrator: Any, z: Any, F_0: float) -> tuple[Any, A
                 monodromy[1] = 0.0
             elif acceleration != 0.0:
                 monodromy[1] *= motion.turned(acceleration, accelerated(forced, next_slip, region, end, u, v))
+        phases.append(Phase(slip, region, *start, end, u, v, Event.STOP if next_region == region else Event.EDGE))
     residual[k] = u - cycle.sign * float(z[0])
     jacobian[k] = of_state[0]
     jacobian[k, 0] -= cycle.sign
     residual[k + 1] = float(np.sum(z[2:-1])) - math.pi * cycle.half_turns
     jacobian[k + 1, 2:] = 1.0
-    return residual, jacobian, cycle.sign * monodromy
+    return residual, jacobian, cycle.sign * monodromy, phases
 
 
-def again(found: Any, integrator: Any) -> Any:
-    """A steady state once more, by Newton's iteration with the order of switches found: A, multipliers, unknowns.
+def solved(found: Any, integrator: Any) -> Any:
+    """A steady state once more, by Newton's iteration with the order of switches found: A, multipliers, phases.
 
-    Raises AssertionError where the iteration does not converge, or the motion has another order of switches.
+    Raises AssertionError where the iteration does not converge.
     """
-    cycle, F_0, z = found.cycle, found.F_0, found.unknowns.copy()
+    cycle, z = found.cycle, found.unknowns.copy()
     for _ in range(8):
-        residual, jacobian, monodromy = equations(cycle, integrator, z, F_0)
+        residual, jacobian, *_ = equations(cycle, integrator, z, found.F_0)
         z[:-1] -= np.linalg.solve(jacobian, residual)
         if np.max(np.abs(residual)) <= 100 * TOLERANCE:
             break
     assert np.max(np.abs(residual)) <= 100 * TOLERANCE
-    start = cycle.signature[0] if cycle.starts_sticking else None
-    forced, theta = Forced(cycle.system, found.Omega, F_0), float(z[1])
-    phases = follow(forced, integrator, theta, float(z[0]), 0.0, theta + math.pi * cycle.half_turns + 1e-6, start)
-    phases = phases[: len(cycle.signature)]
-    assert signature(phases) == cycle.signature
+    *_, monodromy, phases = equations(cycle, integrator, z, found.F_0)
     multipliers = cycle.multipliers(monodromy)
     A = max(max(abs(phase.u), abs(phase.u_end)) for phase in phases)
-    return SimpleNamespace(A=A, multipliers=multipliers**2 if cycle.sign == -1 else multipliers, unknowns=z)
+    return SimpleNamespace(A=A, multipliers=multipliers**2 if cycle.sign == -1 else multipliers, phases=phases)
+
+
+def again(found: Any) -> Any:
+    """The same by SciPy, and it is a motion."""
+    other = solved(found, ScipyIntegrator())
+    assert_followed(Forced(found.cycle.system, found.Omega, found.F_0), other.phases)
+    return other
