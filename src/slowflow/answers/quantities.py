@@ -616,7 +616,7 @@ class ManyScales(Scales):
             return np.asarray(value, dtype=float) / self.of(scale)
 
     def unit(self, name: str) -> str:
-        """Return "": a number in a message would have as many values as there are mounts."""
+        """Return an empty text: messages about many mounts have no numbers."""
         return ""
 
     @functools.cached_property

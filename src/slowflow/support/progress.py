@@ -1,7 +1,7 @@
 """Progress of long computations, logged under "slowflow" at level INFO.
 
 A line is logged after a second, and again after each further tenth of the elapsed time, but at most once a second.
-Programs that configure `logging` see them; others use `shown`.
+Programs that configure `logging` see these lines; others use `shown`.
 
     from slowflow import Isolator
     from slowflow.support import progress
