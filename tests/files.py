@@ -5,7 +5,7 @@ from __future__ import annotations
 import functools
 import importlib
 import json
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -24,6 +24,15 @@ def store(name: str, cases: Sequence[Any]) -> None:
     lines = ",\n".join(json.dumps(case, separators=(",", ":")) for case in cases)
     (DATA / f"{name}.json").write_text(f"[\n{lines}\n]\n", encoding="utf-8")
     print(f"{name}: {len(cases)} cases")
+
+
+def scene(folder: Path, **tables: Mapping[str, Any]) -> Path:
+    """A scene of these tables, in a file of that folder."""
+    path, text = folder / "scene.toml", ""
+    for table, content in tables.items():
+        text += "\n".join([f"[{table}]", *(f"{name} = {value!r}" for name, value in content.items()), ""])
+    path.write_text(text, encoding="utf-8")
+    return path
 
 
 class Lazily:

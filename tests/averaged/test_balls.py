@@ -12,11 +12,8 @@ import pytest
 
 from slowflow import Duffing, Isolator, example
 from slowflow.answers.results import Remark
-from slowflow.answers.table import DOUBLES
 from slowflow.averaged import messages, proofs, solvers
 from slowflow.averaged.balls.search import AT_0, BallModel, Enclosure, averages_of
-from tests.averaged.test_certified import level_ulps
-from tests.averaged.test_certified_cases import CENTRED, of_record
 from tests.averaged.test_untruncated import folds_by_scanning
 from tests.sampling import slow
 
@@ -60,23 +57,6 @@ def test_ball_operation_encloses_exact_arithmetic(name):
                 value = flint.fmpq(*(u / v if exact is None else exact).as_integer_ratio())
                 assert not found.lo > value
                 assert not found.hi < value
-
-
-@pytest.mark.slow
-def test_undecided_counts_beside_a_double_fold_are_resolved():
-    """At F_SN, to an ulp of it: two folds above, none below."""
-    by_balls = 0
-    for case in CENTRED[::45]:
-        onset = case["onset"]
-        if onset is None or not onset["global"]:
-            continue
-        model = of_record(case).model
-        for F_0, above in level_ulps(onset["F_SN"]):
-            proof = proofs.folds(model, F_0)
-            assert proof.proved
-            assert len(proof.A) == (2 if above else 0)
-            by_balls += proof.bits > DOUBLES
-    assert by_balls > 10
 
 
 def spring(design, u):

@@ -15,6 +15,7 @@ from slowflow.app import scenes
 from slowflow.averaged import isolating
 from slowflow.support.errors import Refused
 from slowflow_kernels.conventions import Status
+from tests.files import scene
 from tests.oracles import by_time
 from tests.sampling import fewer
 from tests.slopes import assert_slopes_are_differences
@@ -223,14 +224,12 @@ def test_a_mount_answers_in_hertz():
 
 
 def test_a_scene_asks_at_several_levels(tmp_path):
-    numbers = "\n".join(f"{name} = {value}" for name, value in MOUNT.items())
-    path = tmp_path / "scene.toml"
-    path.write_text(f'[mount]\n{numbers}\n[ask]\nF = [3, 5]\nlevel_dB = [0, -12]\nquestions = ["isolation"]\n')
-    scene = scenes.read(path)
-    assert [str(one) for one in scene.queries][1] == "isolation at F = 3 N, level_dB = -12"
-    begins = [scene.answer(one).f for one in scene.queries]
+    path = scene(tmp_path, mount=MOUNT, ask={"F": [3, 5], "level_dB": [0, -12], "questions": ["isolation"]})
+    found = scenes.read(path)
+    assert [str(one) for one in found.queries][1] == "isolation at F = 3 N, level_dB = -12"
+    begins = [found.answer(one).f for one in found.queries]
     assert begins[0] < begins[1] and begins[2] < begins[3]
-    assert scene.explain(scene.queries[1]) is not None
+    assert found.explain(found.queries[1]) is not None
     path.write_text(path.read_text().replace("[0, -12]", "3"))
     with pytest.raises(ValueError, match=r"scene.toml:12: level_dB = 3 is not allowed"):
         scenes.read(path)

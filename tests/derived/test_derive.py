@@ -370,30 +370,6 @@ def test_c_is_printed_where_it_is_compiled(folder):
     assert len(after.Omega) == 2
 
 
-FIRST_ANSWER = """
-import sys
-import sympy as sp
-from slowflow import derive
-u, k, gap, further = sp.symbols("u k gap further")
-above = {"above": 0}
-pieces = [(u, gap), (u + k * (u - gap), gap + further), (u + 2 * k * (u - gap - further / 2), None)]
-stops = derive.mechanism("stops", pieces, {"k": above, "gap": above, "further": above})
-assert stops(k=3.0, gap=0.2, further=0.1, mu=0.01, zeta=0.03).saddle_nodes(0.1).Omega.size == 2
-print([name for name in sys.modules if name.partition(".")[0] == "scipy" or name in UNASKED])
-"""
-UNASKED = ("sympy.physics", "slowflow.derivation.document")
-
-
-@pytest.mark.slow
-def test_a_first_answer_imports_nothing_that_it_does_not_need(tmp_path):
-    """SciPy, SymPy's units, which `simplify` brings in, and documents would take longer than deriving."""
-    program = f"UNASKED = {UNASKED}\n{FIRST_ANSWER}"
-    env = {**os.environ, "SLOWFLOW_DERIVED": str(tmp_path), "PYTHONPATH": os.pathsep.join(sys.path)}
-    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, env=env)
-    assert done.returncode == 0, done.stderr
-    assert done.stdout.strip() == "[]"
-
-
 @pytest.mark.parametrize("collects", [True, False])
 def test_the_collector_is_left_as_it_was(folder, collects):
     """By what is derived, and by what is refused on the way."""

@@ -162,6 +162,7 @@ def test_second_approximation_and_exact_motion_are_the_forces():
     pieces = [(u, gap), (u + c * sp.tanh(k * (u - gap)), None)]
     other = derive.mechanism("soft_stop_too", pieces, dict.fromkeys(numbers, ABOVE_0), reach=3.1)(**numbers, **DAMPING)
     one = mechanism("soft_stop")(**numbers, **DAMPING)
+    assert one.detachment().u_cr == 0.2
     second, same = (each.second_approximation.saddle_nodes(F_0=0.05) for each in (one, other))
     np.testing.assert_allclose(second.Omega, same.Omega, rtol=1e-9)
     state = one.steady_state(Omega=1.1, F_0=0.1)
@@ -176,26 +177,6 @@ def test_second_approximation_and_exact_motion_are_the_forces():
     done = solve_ivp(rates, (0, 60 * period), (0.0, 0.0), rtol=1e-8, atol=1e-10, max_step=period / 100)
     last = done.t > 59 * period
     assert np.abs(done.y[0][last]).max() == pytest.approx(state.A, rel=1e-4)
-
-
-@pytest.mark.slow
-def test_batches_and_other_excitations_are_answered():
-    made = mechanism("soft_stop")
-    numbers = {"c": [1.0, 3.0], "k": 2.0, "gap": 0.2}
-    many = made.many(**numbers, **DAMPING)
-    onsets, folds = many.saddle_node_onset(), many.saddle_nodes(F_0=0.05)
-    states = many.amplitudes(Omega=1.3, F_0=0.06)
-    for k, c in enumerate(numbers["c"]):
-        one = made(c=c, k=2.0, gap=0.2, **DAMPING)
-        assert onsets.F_SN[k] == pytest.approx(one.saddle_node_onset().F_SN, rel=1e-14)
-        found = one.saddle_nodes(F_0=0.05).Omega
-        np.testing.assert_allclose(folds.Omega[k][: len(found)], found, rtol=1e-14)
-        here = one.amplitudes(Omega=1.3, F_0=0.06)
-        np.testing.assert_allclose(states.A[k][: len(here)], here.A, rtol=1e-14)
-        assert np.isnan(states.A[k][len(here) :]).all() and states.remarks[k] == here.remarks
-    shaken = made(c=1.0, k=2.0, gap=0.2, **DAMPING, excitation="base")
-    assert shaken.amplitudes(Omega=1.5, F_0=0.02).A.size
-    assert one.detachment().u_cr == 0.2
 
 
 def test_it_says_what_it_is():

@@ -60,6 +60,11 @@ def answered(mounts, question, excitation):
         return str(refusal)
 
 
+def mount_of(k, **more):
+    """The mount number k by itself."""
+    return Isolator.physical(**SHEET, **more).replace(**{name: float(value[k]) for name, value in VARIED.items()})
+
+
 def single_columns(found, columns):
     """What one answer has of the columns of a batch; a code has another name there."""
     for name in columns:
@@ -90,9 +95,7 @@ def test_each_of_many_mounts_is_answered_as_alone(question, load, excitation):
     mount = Isolator.physical(**SHEET, **load, excitation=excitation)
     found = answered(mount.many(**VARIED), question, excitation)
     for k in (1, 3) if load else (0, 1, 3):
-        single = answered(
-            mount.replace(**{name: float(value[k]) for name, value in VARIED.items()}), question, excitation
-        )
+        single = answered(mount_of(k, **load, excitation=excitation), question, excitation)
         if isinstance(found, str):
             assert question == "rest" or isinstance(single, str), (found, single)  # of one the mass rests at x = 0
             return
@@ -102,11 +105,9 @@ def test_each_of_many_mounts_is_answered_as_alone(question, load, excitation):
 
 @pytest.mark.parametrize("question", [name for name, row in QUESTIONS.items() if SECOND in row.columns])
 def test_the_second_approximation_of_many_mounts_is_each_alone(question):
-    mount = Isolator.physical(**SHEET)
-    found = answered(mount.many(**VARIED).second_approximation, question, "force")
+    found = answered(Isolator.physical(**SHEET).many(**VARIED).second_approximation, question, "force")
     for k in (0, 1):
-        single = mount.replace(**{name: float(value[k]) for name, value in VARIED.items()}).second_approximation
-        same(found, answered(single, question, "force"), k)
+        same(found, answered(mount_of(k).second_approximation, question, "force"), k)
 
 
 @pytest.mark.parametrize("question", [name for name in QUESTIONS if name != "rest"])
@@ -159,13 +160,9 @@ def test_amplitudes_and_data_broadcast_and_keep_their_units():
 
 @pytest.mark.parametrize("question, of", [("saddle_node_onset", "F_SN"), ("saddle_nodes", "A"), ("peak", "f")])
 def test_gradients_of_many_mounts_are_those_of_each(question, of):
-    mount = Isolator.physical(**SHEET)
-    found = answered(mount.many(**VARIED), question, "force").gradient()
-    single = answered(mount.replace(**{name: float(value[1]) for name, value in VARIED.items()}), question, "force")
-    expected = single.gradient()[of]
-    np.testing.assert_allclose(
-        np.atleast_2d(found[of][1])[: len(np.atleast_2d(expected))], np.atleast_2d(expected), rtol=1e-8
-    )
+    found = answered(Isolator.physical(**SHEET).many(**VARIED), question, "force").gradient()
+    expected = np.atleast_2d(answered(mount_of(1), question, "force").gradient()[of])
+    np.testing.assert_allclose(np.atleast_2d(found[of][1])[: len(expected)], expected, rtol=1e-8)
 
 
 def test_what_many_mounts_cannot_be_asked_is_refused():

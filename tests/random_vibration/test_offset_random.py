@@ -11,18 +11,22 @@ from scipy.integrate import quad
 from scipy.optimize import brentq
 
 from slowflow import Duffing, Isolator, Refused, derive
+from slowflow.app.scenes import read
 from slowflow.core.mechanism import EquationOfMotion, Force
 from slowflow.random_vibration.excitation import White
 from slowflow.random_vibration.questions import stationary
 from slowflow_kernels.table_1 import TABLE_1
+from tests.files import scene
 from tests.random_vibration.test_random_vibration import (
     FLOOR,
     MOUNT,
+    PSD,
     ROAD,
+    assert_measured,
     check_gradient,
+    exact_moments,
     moment,
     report,
-    scene,
     spread,
 )
 
@@ -82,16 +86,6 @@ def scanned(one, level, low, high, wide, count=40):
     pairs = zip(itertools.pairwise(grid), itertools.pairwise(values), strict=True)
     roots = [brentq(excess, *ends, xtol=1e-13) for ends, (a, b) in pairs if (a > 0) != (b > 0)]
     return [(sigma, mean(sigma)) for sigma in roots]
-
-
-def exact_moments(one, S_0):
-    """Mean and root mean square about it of the stationary density exp(-c/(pi S_0) V) (Fokker-Planck)."""
-    u = np.linspace(-4.0, 4.0, 80_001)
-    force = one.restoring_force()(0.5 * (u[1:] + u[:-1])) - one.load
-    V = np.concatenate(([0.0], np.cumsum(force) * (u[1] - u[0])))
-    weight = np.exp(-2 * one.zeta / (math.pi * S_0) * (V - V.min()))
-    mean = np.average(u, weights=weight)
-    return mean, math.sqrt(np.average((u - mean) ** 2, weights=weight))
 
 
 # ---- stationary motions
@@ -273,19 +267,14 @@ def test_records_about_a_mean_have_the_exact_density(stop):
     one, S_0 = stop(k=5.0, g=0.2, zeta=0.05, load=0.1), 2e-3
     mean, rms = exact_moments(one, S_0)
     found = one.random(S_0=S_0).measure(samples=400_000, records=8, seed=3)
-    assert abs(found.B - mean) < 1.5 * found.B_margin < 0.1 * rms
-    assert abs(found.u_rms - rms) < 1.5 * found.u_margin < 0.1 * rms
-    assert abs(found.v_rms - math.sqrt(math.pi * S_0 / (2 * one.zeta))) < 1.5 * found.v_margin
+    assert_measured(found, B=mean, u_rms=rms, v_rms=math.sqrt(math.pi * S_0 / (2 * one.zeta)))
+    assert 1.5 * found.B_margin < 0.1 * rms > 1.5 * found.u_margin
 
 
 def test_records_of_a_loaded_linear_oscillator_are_its_answer():
     found = Duffing(1.0, 0.0, zeta=0.05, load=0.7).random(psd=FLOOR)
     record = found.measure(samples=200_000, records=8, seed=4)
-    assert abs(record.B - 0.7) < 1.5 * record.B_margin
-    for name in "uva":
-        assert abs(getattr(record, f"{name}_rms") - getattr(found, f"{name}_rms")[0]) < 1.5 * getattr(
-            record, f"{name}_margin"
-        )
+    assert_measured(record, B=0.7, **{f"{name}_rms": getattr(found, f"{name}_rms")[0] for name in "uva"})
     assert record.kurtosis == pytest.approx(3.0, abs=0.5)
 
 
@@ -302,7 +291,7 @@ def test_a_mount_that_carries_another_mass_is_answered(tmp_path):
     assert found.B[0] == pytest.approx(0.080 * plain.B[0], rel=1e-11)
     assert found.x_rms[0] == pytest.approx(0.080 * plain.u_rms[0], rel=1e-11)
     assert found.units["B"] == "m"
-    one = scene(tmp_path, parameters={**MOUNT, "load": 12.5})
+    one = read(scene(tmp_path, mount={**MOUNT, "load": 12.5}, ask={"questions": ["random"]}, psd=PSD))
     assert one.answer(one.queries[0]).B[0] == pytest.approx(1e3 * found.B[0], rel=1e-11)
     assert "Random vibration" in report.html(one)
     assert "linearization" in str(mount.explain("random"))
