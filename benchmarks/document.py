@@ -134,9 +134,10 @@ SECTIONS = {
     ),
     "peers": Section(
         "Other tools",
-        """Table 1 with F_0 = 0.04: the averaged response from Omega = 0.3 to 2 and both folds, in turn in one run. A
-tool measured earlier is compared with slowflow as measured then. A fold counts as found within 1 %; the error is the
-larger of the two found. Each tool runs in an environment of its own; `benchmarks/peers/` has an adapter for each.""",
+        """Table 1 with F_0 = 0.04: the averaged response from Omega = 0.3 to 2 and both folds. The
+tools were measured alternately in one run; a tool measured earlier is compared with slowflow as measured then. A fold
+counts as found if it is right within 1 %; the error is the larger one of the folds found. Each tool runs in an
+environment of its own; `benchmarks/peers/` has an adapter for each.""",
         {
             "tool": tool,
             "variant": lambda row: row.get("variant", ""),
@@ -239,7 +240,7 @@ linear spring, mu = 0.2, F_0 = 1.
 """
 HEAD = """# Benchmarks: speed, accuracy, other tools
 
-Written by `make bench`. Times are medians of processor time. The two tools of a comparison were measured in turn in
+Written by `make bench`. Times are medians of processor time. The two tools of a comparison were measured alternately in
 one run, unless the row says otherwise. Tables come from different runs: the same job may take a quarter longer in one
 than in another. Errors are relative, or in u (1 + κ), u = 2^-53, with the condition number κ.
 [Further measurements](../benchmarks/results/README.md) have errors against time in numbers, exact motions, custom
