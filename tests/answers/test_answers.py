@@ -23,6 +23,7 @@ from slowflow.oscillators.oscillator import Oscillator
 from slowflow.sizing import fit, front, meet, tolerances
 from slowflow.support.text import Sentence
 from slowflow_kernels import rod_spring
+from tests.files import MOUNT
 
 
 class Objects(Mapping):
@@ -69,7 +70,7 @@ ASKS = {
     "off centre": lambda: Duffing(1.0, 0.5, 0.01, 0.05, load=0.3).off_centre,
     "plan off centre": lambda: isolator(load=0.03).explain("margins", 0.04),
     "designs under a load": lambda: Duffing.many(1.0, 0.5, 0.01, 0.05, load=[0.2, 0.3]),
-    "mount": lambda: Isolator.physical(m=12, k_v=2500, k_h=1700, L=0.080, preload=0.009, friction=0.4, zeta=0.02),
+    "mount": lambda: Isolator.physical(**MOUNT),
     "mounts": lambda: OBJECTS["mount"].many(m=[11.0, 12.0]),
     "map": lambda: Isolator.many(lam=3, r=over("r"), delta_h=0.1, mu=0.012, zeta=0.02),
     "second map": lambda: OBJECTS["map"].second_approximation,
@@ -308,7 +309,7 @@ def test_a_table_says_of_what_it_is():
     del expected["force"]
     for attributes in (curve.to_pandas().attrs, curve.to_xarray().attrs):
         assert expected.items() <= attributes.items()
-    mount = Isolator.physical(m=12, k_v=2500, k_h=1700, n=3, L=0.080, preload=0.009, friction=0.4, zeta=0.02)
+    mount = OBJECTS["mount"]
     dataset = mount.frequency_response(5).to_xarray()
     assert {name: dataset[name].attrs["units"] for name in ("f", "A", "phi")} == {"f": "Hz", "A": "m", "phi": "rad"}
     assert dataset.attrs["F"] == 5 and mount.peak(5).to_pandas().attrs["units"]["A"] == "m"

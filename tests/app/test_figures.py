@@ -11,7 +11,7 @@ import pytest
 from derivations.ledger import published
 from slowflow import Duffing, Isolator
 from slowflow.example import TABLE_1, isolator
-from tests.files import Lazily
+from tests.files import MOUNT, Lazily
 
 plt, colours = map(Lazily, ("matplotlib.pyplot", "matplotlib.colors"))
 figures, pictures = map(Lazily, ("examples.paper.figures", "slowflow.answers.pictures"))
@@ -204,7 +204,7 @@ def test_figure_6_marks_what_the_paper_prints(drawn):
 
 
 def test_durations_of_shocks_are_round_numbers_along_their_axis():
-    mount = Isolator.physical(m=12, k_v=2500, k_h=1700, n=3, L=0.080, preload=0.009, friction=0.4, zeta=0.05)
+    mount = Isolator.physical(**MOUNT)
     ax = mount.shock_spectrum(acceleration=[10.0], duration=[0.005, 0.011, 0.05, 0.2]).plot()
     ax.figure.canvas.draw()
     low, high = ax.get_xlim()
@@ -224,9 +224,7 @@ def test_the_legend_of_figure_6_stands_below_the_hatching(drawn, name):
 
 
 def test_a_unit_of_two_is_in_brackets_in_pictures_too():
-    mount = Isolator.physical(
-        m=12, k_v=2500, k_h=1700, n=3, L=0.080, preload=0.009, friction=0.4, zeta=0.05, excitation="unbalance"
-    )
+    mount = Isolator.physical(**MOUNT | {"zeta": 0.05}, excitation="unbalance")
     assert mount.plot(0.03).get_legend().get_title().get_text() == "unbalance $U$ / (kg m)"
     assert pictures.measured("k_h", "N/m").endswith(" / (N/m)") and pictures.measured("r", "") == pictures.label("r")
 
@@ -327,7 +325,7 @@ def test_second_approximation_and_sweeps_are_drawn():
 
 def test_a_mount_draws_the_same_in_its_units():
     """Each number in the picture is that of the dimensionless one times what it is measured in."""
-    mount = Isolator.physical(m=12, k_v=2500, k_h=1700, L=0.080, preload=0.009, friction=0.4, zeta=0.02)
+    mount = Isolator.physical(**MOUNT)
     of = {name: mount.scales.sizes[name] for name in ("frequency", "force")} | {"length": 1e3 * mount.scales.L}
     plain = mount.oscillator.plot([F / of["force"] for F in (3.0, 5.0)])
     ax = mount.plot([3.0, 5.0])
@@ -357,8 +355,7 @@ def test_a_mount_draws_the_same_in_its_units():
 @pytest.mark.slow
 def test_largest_displacement_is_drawn_under_a_load():
     """By the amplitude a mount would seem to stay within its stroke where it leaves it."""
-    numbers = {"m": 12, "k_v": 2500, "k_h": 1700, "L": 0.080, "preload": 0.009, "friction": 0.4, "zeta": 0.02}
-    mount = Isolator.physical(**numbers, load=12.2)
+    mount = Isolator.physical(**MOUNT, load=12.2)
     folds, curve = mount.saddle_nodes(4.0), mount.frequency_response(4.0)
     ax = mount.plot(4.0)
     assert ax.get_ylabel() == "largest $|x|$ / mm"

@@ -13,14 +13,13 @@ import pytest
 
 from slowflow.app import schema
 from slowflow.app.scenes import QUESTIONS
-from tests.files import ROOT, Lazily
+from tests.files import MOUNT, ROOT, Lazily
 
 mcp, stdio, jsonschema = map(Lazily, ("mcp", "mcp.client.stdio", "jsonschema"))
 
 g = 9.80665
 SCENES = sorted((ROOT / "scenes").glob("*.toml"))
-#: a mount, and one that is all but linear: no friction, and little motion
-MOUNT = {"m": 12, "k_v": 2500, "k_h": 1700, "n": 3, "L": 0.08, "preload": 0.009, "friction": 0.4, "zeta": 0.02}
+#: all but linear: no friction, and little motion
 LINEAR = {**MOUNT, "friction": 0}
 K_0 = 2500 - 3 * 1700 * 0.009 / 0.08
 X_CR = math.sqrt(0.08**2 - 0.071**2)

@@ -11,13 +11,12 @@ from slowflow.app import cli
 from slowflow.app.scenes import read
 from slowflow.app.verdict import in_words, meet, verdict
 from slowflow.support.errors import SceneError
-from tests.files import Lazily
+from tests.files import MOUNT, Lazily
 
 report = Lazily("slowflow.app.report")
 
 #: a linear mount: without a preload the springs never touch
 LINEAR = {"m": 10.0, "k_v": 4000.0, "k_h": 1000.0, "L": 0.1, "preload": 0.0, "zeta": 0.1}
-MOUNT = {"m": 12, "k_v": 2500, "k_h": 1700, "n": 3, "L": 0.080, "preload": 0.009, "friction": 0.4, "zeta": 0.02}
 f_n = 20.0 / math.tau
 SHOCK = "[shock]\nacceleration = [10, 30]\nduration = [0.011]\n"
 PSD = "[psd]\nf = [1.0, 5.0, 100.0]\nG = [1e-4, 1e-4, 2.5e-7]\n"

@@ -17,6 +17,7 @@ from slowflow.exact.motion import Forced, advance
 from slowflow.sizing import tolerances
 from slowflow_kernels import duffing
 from slowflow_kernels.conventions import GradientStatus, Status
+from tests.files import MOUNT
 from tests.oracles import by_time
 from tests.oracles.by_work import assert_complete, balances, force_of
 from tests.sampling import slow
@@ -527,8 +528,7 @@ def test_static_friction_affects_exact_motions_only():
     assert osc.steady_state(Omega=0.9, F_0=0.04).A == 0 < same.steady_state(Omega=0.9, F_0=0.04).A
     with pytest.raises(ValueError, match=r"mu_s = 0.01 is not allowed: static friction must be at least mu = 0.02"):
         osc.replace(mu_s=0.01)
-    parameters = {"m": 12, "k_v": 2500, "k_h": 1700, "L": 0.08, "preload": 0.009, "friction": 0.4, "zeta": 0.02}
-    mount = Isolator.physical(**parameters, static_friction=0.6)
+    mount = Isolator.physical(**MOUNT, static_friction=0.6)
     assert mount.at_rest().break_loose == pytest.approx(0.6) and mount.oscillator.mu_s == pytest.approx(0.6 / 200)
     assert mount.replace(static_friction=0.4).oscillator.mu_s == mount.oscillator.mu
     with pytest.raises(ValueError, match=r"static_friction = 0.3 is not allowed: .* >= 0.4"):

@@ -15,7 +15,7 @@ from slowflow.app import scenes
 from slowflow.averaged import isolating
 from slowflow.support.errors import Refused
 from slowflow_kernels.conventions import Status
-from tests.files import scene
+from tests.files import MOUNT, scene
 from tests.oracles import by_time
 from tests.sampling import fewer
 from tests.slopes import assert_slopes_are_differences
@@ -209,9 +209,6 @@ def test_under_a_load_it_is_that_of_the_states_there():
     many = Duffing.many(alpha=1.0, beta=0.5, mu=1e-3, zeta=0.05, load=[0.2]).isolation(0.05, level_dB=-10.0)
     assert many.Omega[0] == begins[1].Omega and many.B[0] == begins[1].B
     assert many.gradient()["Omega", "zeta"][0] == begins[1].gradient()["Omega", "zeta"]
-
-
-MOUNT = {"m": 12.0, "k_v": 2500.0, "k_h": 1700.0, "n": 3, "L": 0.08, "preload": 0.009, "friction": 0.1, "zeta": 0.02}
 
 
 def test_a_mount_answers_in_hertz():

@@ -8,8 +8,9 @@ import pytest
 from slowflow import Isolator, read_csv
 from slowflow.answers.files import in_csv
 from slowflow.sizing import fit
+from tests import files
 
-MOUNT = Isolator.physical(m=12, k_v=2500, k_h=1700, L=0.08, preload=0.009, friction=0.4, zeta=0.05)
+MOUNT = Isolator.physical(**files.MOUNT).replace(zeta=0.05)
 
 
 @pytest.fixture

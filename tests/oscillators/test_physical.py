@@ -23,13 +23,11 @@ from slowflow.sizing import fit, meet, tolerances
 from slowflow.support.errors import SlowflowError
 from slowflow.support.text import Sentence
 from slowflow_kernels.scaling import SCALES
-from tests.files import ROOT
+from tests.files import MOUNT, ROOT
 from tests.sampling import slow
 from tests.slopes import assert_slopes_are_differences
 
 LETTER = {excitation: letter for excitation, (letter, _) in EXCITED.items()}
-#: a mount that was sized by hand: 12 kg on 2500 N/m, three springs of 1700 N/m on rods of 80 mm
-MOUNT = {"m": 12, "k_v": 2500, "k_h": 1700, "n": 3, "L": 0.080, "preload": 0.009, "friction": 0.4, "zeta": 0.02}
 
 
 @pytest.fixture(scope="module")

@@ -20,6 +20,7 @@ from slowflow.random_vibration.record import process
 from slowflow.support.errors import SceneError
 from slowflow_kernels.conventions import Status
 from slowflow_kernels.table_1 import TABLE_1
+from tests import files
 from tests.files import Lazily, scene
 from tests.oracles.definitions.forces import rod_coefficients
 from tests.sampling import slow
@@ -32,17 +33,7 @@ FLOOR = (
     [0.05, 0.2, 0.45, 0.9, 1.4, 2.0, 3.3, 6.0, 15.0, 45.0],
     [1e-3, 3e-3, 3e-3, 8e-3, 8e-3, 2e-3, 2.5e-3, 1e-4, 4e-5, 1e-7],
 )
-MOUNT = {
-    "m": 12,
-    "k_v": 2500,
-    "k_h": 1700,
-    "n": 3,
-    "L": 0.080,
-    "preload": 0.009,
-    "friction": 0.4,
-    "zeta": 0.02,
-    "force": "truncated",
-}
+MOUNT = {**files.MOUNT, "force": "truncated"}
 ROAD = ([1.0, 5.0, 100.0], [1e-4, 1e-4, 1e-4 * (5 / 100) ** 2])
 
 

@@ -17,12 +17,11 @@ from slowflow.sizing import fit, from_loop, front, meet, sobol, tolerances
 from slowflow.sizing.subject import Subject
 from slowflow.support import progress
 from slowflow.support.errors import NotSettled
+from tests import files
 from tests.oracles import by_time
 from tests.sampling import fewer
 
-MOUNT = Isolator.physical(
-    m=12, k_v=2500, k_h=1700, n=3, L=0.080, preload=0.009, friction=0.4, zeta=0.02, force="truncated"
-)
+MOUNT = Isolator.physical(**files.MOUNT, force="truncated")
 SHAKEN = MOUNT.replace(excitation="base", zeta=0.05)
 UNBALANCED = SHAKEN.replace(excitation="unbalance")
 LOADED = MOUNT.replace(load=12.36)
