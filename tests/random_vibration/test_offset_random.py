@@ -184,10 +184,16 @@ def test_a_force_in_many_pieces_is_that_of_their_union():
     assert found["B"] == pytest.approx(whole.B, rel=1e-12)
 
 
-def test_a_motion_in_a_narrow_stiff_zone_is_found():
-    """All of the zone lies in one cell of the search's range, whose mean slope is a quarter of that at the motion."""
+@pytest.mark.parametrize("cut", [0, sp.Rational(1, 1000)])
+def test_a_motion_in_a_narrow_stiff_zone_is_found(cut):
+    """All of the zone lies in one cell of the search's range, whose mean slope is a quarter of that at the motion.
+
+    A narrow piece of the spring beyond it is joined with it: the steeper slope is that of the cell.
+    """
     u, half = sp.Symbol("u"), sp.Rational(65, 1000)
-    pieces = [(u, 1), (2 + ((u - 1 - half) / half) ** 3, 1 + 2 * half), (2 - 2 * half + u, None)]
+    beyond = 2 - 2 * half + u
+    pieces = [(u, 1), (2 + ((u - 1 - half) / half) ** 3, 1 + 2 * half)]
+    pieces += [*([(beyond, 1 + 2 * half + cut)] if cut else []), (beyond, None)]
     zone = derive.mechanism("narrow_stiff_zone", pieces, {}, odd=False, compile=False)
     x, sigma = 0.9, 1e-3
     k, load = 3 * x**2 / 0.065, 2 + x**3
