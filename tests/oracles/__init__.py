@@ -10,7 +10,7 @@ kernels                   exact values of any generated kernel at any doubles
 frequencies               certified roots in Omega at one amplitude, and seeded stress cases for them
 by_work                   states and folds of any oscillator about the centre, counted on a grid of amplitudes
 by_time                   the equation of motion by SciPy from switch to switch, the spring typed by hand
-exact_linear, exact_reference, exact_cases    the same by other means, and oscillators to try
+exact_reference, exact_cases    the same by other means, and oscillators to try
 pieces, forces            forces of any kind, each stated once, and their averages to 40 digits
 inertia                   certified answers on a base that shakes
 second, stated            the second approximation, and mechanisms as their files state them

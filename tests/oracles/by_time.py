@@ -147,7 +147,9 @@ def turns_of(by_hand: Any, mu_zeta: Any, Omega: float, F_0: float, start: Any, t
     precise = {"rtol": 1e-12, "atol": 1e-14, **options}
     ways = list(stretches(osc, pieces, push, span, state, **precise))
     farthest = max(float(np.abs(one.u).max()) for one in ways)
-    return (ways[-1].u[-1], ways[-1].v[-1]), farthest, sum(one.slip == 0 for one in ways)
+    # a start that is just left may be called a rest within rounding
+    stops = sum(one.slip == 0 and np.ptp(one.t) > 1e-9 for one in ways)
+    return (ways[-1].u[-1], ways[-1].v[-1]), farthest, stops
 
 
 def largest(pull: Pull, osc: Any, Omega: float, F_0: float, turns: int, preload: float = 0.0) -> float:
