@@ -21,7 +21,7 @@ from ..forces.repeated import Output, Repeated
 Let = tuple[sp.Symbol, sp.Expr]
 
 #: an algorithm written in more lets than this has named what it shares, and SymPy's search would take seconds
-SPELLED_OUT = 60
+SPELLED_OUT = 40
 
 
 @dataclass(frozen=True)
@@ -92,8 +92,8 @@ def _passed(lets: tuple[Let, ...], outputs: tuple[sp.Expr, ...], reserved: tuple
 
 
 def is_spelled_out(lets: Sequence[Let]) -> bool:
-    """Whether it is an algorithm in many steps, or calls what it repeats."""
-    return len(lets) > SPELLED_OUT or any(isinstance(value, Output) for _, value in lets)
+    """Whether it is an algorithm in many steps."""
+    return len(lets) > SPELLED_OUT
 
 
 @functools.cache
@@ -109,7 +109,8 @@ def _counted(lets: Sequence[Let], outputs: Sequence[sp.Expr]) -> int:
     """Operations, those of what is repeated as often as it is called."""
     calls = {(value.repeated, value.args) for _, value in lets if isinstance(value, Output)}
     own = sum(operations(e) for e in (*(value for _, value in lets), *outputs))
-    return own + sum(program_of(repeated).operations for repeated, _ in calls)
+    turns = ((repeated, int(args[-1]) if repeated.state else 1) for repeated, args in calls)
+    return own + sum(count * program_of(repeated).operations for repeated, count in turns)
 
 
 @functools.cache

@@ -33,14 +33,14 @@ from ..symbols import F_0, A, Omega, mu, zeta
 from . import proved
 from .catalogue.every_module import all_modules
 from .form import Module
-from .passes import Program, is_constant, is_spelled_out
+from .passes import Program, is_constant
 from .views import programs
 
 #: arguments that are not negative
 POSITIVE = (A, Omega, F_0, m, mu, zeta)
 #: what is left out: products of roundings, which are below 2^-53 of what is counted as long as that is below 10^4 units
 SECOND_ORDER = Fraction(1, 10**9)
-#: as many monomials as a proof takes on
+#: as many monomials, or lets of a program, as a proof takes on
 MOST = 60
 #: exponents of the arguments
 Monomial = tuple[int, ...]
@@ -221,7 +221,7 @@ def proved_of(module: Module) -> dict[str, dict[str, object]]:
     code, found = programs(module), {}
     for kernel in module.kernels:
         for branch, program in zip(kernel.branches, code[kernel.name], strict=True):
-            if is_spelled_out(program.lets):
+            if len(program.lets) > MOST:
                 continue
             k = bounds(program, kernel.arguments)
             if any(one is not None for one in k):

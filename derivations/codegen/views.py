@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING
 import jinja2
 import sympy as sp
 
-from ..forces.repeated import Output, Repeated
+from ..forces.repeated import TURNS, Output, Repeated
 from ..paper.restoring_force import FAR
 from ..paper.slow_flow import m
 from .bytecode import kept_beside
@@ -49,6 +49,7 @@ class Line:
                 `value` its arguments
     columns, table -- of a loop that calls it: arguments that vary, and what they are in each turn
     sums     -- of its outputs over all turns, which are all that is asked for
+    state    -- where it is a loop itself: what it begins from, before its other arguments
     """
 
     name: str
@@ -58,15 +59,20 @@ class Line:
     columns: tuple[str, ...] = ()
     table: tuple[tuple[str, ...], ...] = ()
     sums: tuple[str, ...] = ()
+    state: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
 class RepeatedView:
-    """What kernels of a module repeat, as a template needs it."""
+    """What kernels of a module repeat, as a template needs it.
+
+    state -- of a loop, the first arguments, which are the outputs of the turn before
+    """
 
     name: str
     doc: str
     arguments: tuple[str, ...]
+    state: tuple[str, ...]
     lets: tuple[Line, ...]
     outputs: tuple[tuple[str, str], ...]
 
@@ -343,10 +349,13 @@ def _assigned(symbol: sp.Symbol, value: sp.Expr, printer: Rules) -> Line:
 
 def _called(call: Sequence[Let], printer: Rules) -> Line:
     symbols, (value, *_) = zip(*call, strict=True)
+    named, count = zip(value.repeated.arguments, value.args, strict=True), len(value.repeated.state)
+    arguments = [str(one) if name is TURNS else printer.doprint(one) for name, one in named]
     return Line(
         ", ".join(printer.doprint(symbol) for symbol in symbols),
-        ", ".join(map(printer.doprint, value.args)),
+        ", ".join(arguments[count:]),
         function=value.repeated.name,
+        state=tuple(arguments[:count]),
     )
 
 
@@ -398,6 +407,7 @@ def repeated_views(code: Code, printer: Rules) -> list[RepeatedView]:
                 name,
                 one.doc,
                 tuple(map(printer.doprint, one.arguments)),
+                tuple(map(printer.doprint, one.state)),
                 printed(program.lets, printer),
                 tuple((output, printer.doprint(value)) for output, value in outputs),
             )

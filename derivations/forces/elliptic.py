@@ -43,7 +43,7 @@ from flint import arb, ctx
 from ..claims import claim
 from ..paper.restoring_force import ORDERS, Case, Regime, Restoring, average, slope
 from ..symbols import A, u
-from .repeated import Repeated
+from .repeated import TURNS, Repeated
 
 Let = tuple[sp.Symbol, sp.Expr]
 
@@ -118,32 +118,55 @@ def corner(name: sp.Symbol, value: sp.Expr) -> Corner:
 # --- attached: the arithmetic-geometric mean ---
 
 
+@functools.cache
+def _mean() -> Repeated:
+    """a_n, b_n and e_n = c_n/m from those before, e_1 + ... + e_n, and e_n^2 + e_(n-1)^2/2 + ... + e_1^2/2^(n-1)."""
+    arguments = a, b, e, total, squares, quarter = sp.symbols("a b e total squares quarter", positive=True)
+    mean, difference = sp.symbols("mean difference", positive=True)
+    return Repeated(
+        "means",
+        "Steps of the arithmetic-geometric mean, with the sum of its differences and that of their squares by weight.",
+        (*arguments, TURNS),
+        ((mean, (a + b) / 2), (difference, quarter * e**2 / mean)),
+        tuple(
+            (sp.Symbol(f"next_{name}"), value)
+            for name, value in (
+                ("a", mean),
+                ("b", sp.sqrt(a * b)),
+                ("e", difference),
+                ("total", total + difference),
+                ("squares", squares / 2 + difference**2),
+            )
+        ),
+    )
+
+
 def attached(a: sp.Expr, b: sp.Expr, steps: int, end: Corner | None = None) -> Regime:
     """A <= u_cr: (4/pi) times B, C = (D - B)/m and P = D - pi/4 from the mean, and the derivatives in B and C.
 
     At the `end` A is u_cr.
     """
-    m, k_c, k = sp.symbols("m k_c k", positive=True)
+    m, quarter, k_c, k = sp.symbols("m quarter k_c k", positive=True)
     B, C, P, e, tau = sp.symbols("B C P e tau", positive=True)
-    a_n, b_n, e_n = (sp.symbols(f"{name}_1:{steps + 1}", positive=True) for name in "abe")
+    a_1, b_1, e_1, square, total, squares = sp.symbols("a_1 b_1 e_1 square total squares", positive=True)
+    last_a, last_b, last_e = (sp.Symbol(f"{name}_{steps - 1}", positive=True) for name in "abe")
+    a_n, e_n = (sp.Symbol(f"{name}_{steps}", positive=True) for name in "ae")
     # up to FEW a rounding of m moves 1 - m by less than its own
     complement = 1 - m if steps == STEPS else (1 - A) * (1 + A)
     lets: list[Let] = [(m, A**2)]
     lets += [(k_c, end.height), (k, k_c**2)] if end else [(k_c, sp.sqrt(complement)), (k, complement)]
-    # e_n = c_n/m
-    lets += [(a_n[0], (1 + k_c) / 2), (b_n[0], sp.sqrt(k_c)), (e_n[0], 1 / (4 * a_n[0]))]
-    for n in range(1, steps):
-        lets += [
-            (a_n[n], (a_n[n - 1] + b_n[n - 1]) / 2),
-            (b_n[n], sp.sqrt(a_n[n - 1] * b_n[n - 1])),
-            (e_n[n], m * e_n[n - 1] ** 2 / (4 * a_n[n])),
-        ]
+    # e_n = c_n/m; b_n is not called for
+    lets += [(a_1, (1 + k_c) / 2), (b_1, sp.sqrt(k_c)), (e_1, 1 / (4 * a_1)), (square, e_1**2), (quarter, m / 4)]
+    first, last = (a_1, b_1, e_1, e_1, square), (last_a, last_b, last_e, total, squares)
+    lets += _mean().at((*first, quarter, sp.Integer(steps - 2)), last)
     lets += [
-        (e, sum(reversed(e_n))),
-        (tau, sum(2 ** (n + 1) * e_n[n] ** 2 for n in reversed(range(steps)))),
-        (P, m * (e + tau) / a_n[-1]),
-        (B, (1 - m * tau) / a_n[-1]),
-        (C, 2 * tau / a_n[-1]),
+        (a_n, (last_a + last_b) / 2),
+        (e_n, quarter * last_e**2 / a_n),
+        (e, total + e_n),
+        (tau, 2 ** (steps - 1) * squares + 2**steps * e_n**2),
+        (P, m * (e + tau) / a_n),
+        (B, (1 - m * tau) / a_n),
+        (C, 2 * tau / a_n),
     ]
 
     def by_m(expression: sp.Expr) -> sp.Expr:
@@ -468,29 +491,25 @@ def _repeated(
 @functools.cache
 def _duplication() -> Repeated:
     lets: list[Let] = []
-    arguments = tuple(map(_series, "xyz"))
-    X, Y, Z, term = _Taylor(lets).once_duplicated(*arguments)
-    doc = "One duplication of the arguments of R_D, and what it takes off over 3, as Taylor series."
-    return _repeated("duplication", doc, arguments, lets, next_X=X, next_Y=Y, next_Z=Z, share=term)
+    arguments = x, y, z, total = [_series(name) for name in ("x", "y", "z", "total")]
+    X, Y, Z, term = _Taylor(lets).once_duplicated(x, y, z)
+    # what the n-th takes off weighs 4^-n: so the sum stands for 4^n of it
+    total = _plus([4 * value for value in total], term)
+    doc = "Duplications of the arguments of R_D, and the sum of what they take off over 3, as Taylor series."
+    return _repeated("duplication", doc, (*arguments, [TURNS]), lets, next_X=X, next_Y=Y, next_Z=Z, next_total=total)
 
 
 @functools.cache
 def _duplications() -> Repeated:
     lets: list[Let] = []
-    arguments = [_series(name) for name in ("X0", "Y0", "Z0", "term0")]
-    (X, Y, Z, term), terms = arguments, [arguments[-1]]
-    for n in range(1, DUPLICATIONS):
-        X_, Y_, Z_, term = (_series(f"{name}{n}") for name in ("X", "Y", "Z", "term"))
-        lets += _duplication().at((*X, *Y, *Z), (*X_, *Y_, *Z_, *term))
-        X, Y, Z = X_, Y_, Z_
-        terms.append(term)
-    last = _series("last")
+    first = [_series(name) for name in ("X0", "Y0", "Z0", "term0")]
+    X, Y, Z, total, last = (_series(name) for name in ("X", "Y", "Z", "total", "last"))
+    arguments = [one for f in first for one in f]
+    lets += _duplication().at((*arguments, sp.Integer(DUPLICATIONS - 1)), (*X, *Y, *Z, *total))
     lets += _remainder().at((*X, *Y, *Z), last)
-    total = [value / 4**DUPLICATIONS for value in last]
-    for n, term in reversed(list(enumerate(terms))):
-        total = _plus(total, [3 * value / 4**n for value in term])
+    R = [sp.Rational(3, 4 ** (DUPLICATIONS - 1)) * p + q / 4**DUPLICATIONS for p, q in zip(total, last, strict=True)]
     doc = "R_D by what one duplication has made of its arguments and has taken off, as a Taylor series."
-    return _repeated("duplications", doc, arguments, lets, R=total)
+    return _repeated("duplications", doc, first, lets, R=R)
 
 
 @functools.cache

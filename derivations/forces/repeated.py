@@ -1,7 +1,7 @@
 """Stretches of an algorithm that it goes through many times: stated once, and printed once, as a function.
 
 In:  arguments, lets and outputs, as of a kernel.
-Out: `Repeated`; `at` gives lets that stand for its outputs at other arguments.
+Out: `Repeated`; `at` gives lets that stand for its outputs at other arguments, or after so many turns from these.
 
 An output at given arguments is a SymPy function of them, `Output`: nothing has to know of it but what prints it.
 """
@@ -16,6 +16,9 @@ import sympy as sp
 
 Let = tuple[sp.Symbol, sp.Expr]
 
+#: the last argument of a loop: how often it is gone through
+TURNS = sp.Symbol("turns", integer=True, positive=True)
+
 
 class Output(sp.Function):
     """One of the outputs of a `Repeated`, at arguments that are symbols or numbers."""
@@ -26,7 +29,7 @@ class Output(sp.Function):
 
 @dataclass(frozen=True)
 class Repeated:
-    """Lets and outputs in some arguments.
+    """Lets and outputs in some arguments. A loop takes `TURNS`; its outputs are the first arguments of the next turn.
 
     name    -- of the function
     doc     -- what it gives
@@ -45,6 +48,11 @@ class Repeated:
         names = [symbol.name for symbol in (*self.arguments, *(symbol for symbol, _ in (*self.lets, *self.outputs)))]
         if len(set(names)) < len(names):
             raise ArithmeticError(f"{self.name} has two things of one name: {sorted(names)}")
+
+    @property
+    def state(self) -> tuple[sp.Symbol, ...]:
+        """The arguments that go on from turn to turn."""
+        return self.arguments[: len(self.outputs)] if TURNS in self.arguments else ()
 
     def at(self, values: Sequence[sp.Expr], names: Sequence[sp.Symbol]) -> list[Let]:
         """The outputs by these names, at arguments in their order."""

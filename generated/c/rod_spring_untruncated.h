@@ -151,74 +151,76 @@ SF_COMMON void rod_spring_untruncated_arc_node(double X2, double K2, double T2, 
     *W = K2 * g3;
 }
 
-/* One duplication of the arguments of R_D, and what it takes off over 3, as Taylor series. */
-SF_COMMON void rod_spring_untruncated_duplication(double x_0, double x_1, double x_2, double x_3, double y_0,
-    double y_1, double y_2, double y_3, double z_0, double z_1, double z_2, double z_3, double *next_X_0,
-    double *next_X_1, double *next_X_2, double *next_X_3, double *next_Y_0, double *next_Y_1, double *next_Y_2,
-    double *next_Y_3, double *next_Z_0, double *next_Z_1, double *next_Z_2, double *next_Z_3, double *share_0,
-    double *share_1, double *share_2, double *share_3)
+/* Duplications of the arguments of R_D, and the sum of what they take off over 3, as Taylor series. */
+SF_COMMON void rod_spring_untruncated_duplication(int turns, double *state)
 {
-    const double a_0 = sqrt(x_0);
-    const double a_half_0 = 0.5 / a_0;
-    const double a1_0 = a_half_0 * x_1;
-    const double a2_0 = a_half_0 * (-a1_0 * a1_0 + x_2);
-    const double a3_0 = a_half_0 * (-2.0 * a1_0 * a2_0 + x_3);
-    const double b_0 = sqrt(y_0);
-    const double b_half_0 = 0.5 / b_0;
-    const double b1_0 = b_half_0 * y_1;
-    const double b2_0 = b_half_0 * (-b1_0 * b1_0 + y_2);
-    const double b3_0 = b_half_0 * (-2.0 * b1_0 * b2_0 + y_3);
-    const double c_0 = sqrt(z_0);
-    const double c_half_0 = 0.5 / c_0;
-    const double c1_0 = c_half_0 * z_1;
-    const double c2_0 = c_half_0 * (-c1_0 * c1_0 + z_2);
-    const double c3_0 = c_half_0 * (-2.0 * c1_0 * c2_0 + z_3);
-    const double lam_0 = a_0 * b_0 + c_0 * (a_0 + b_0);
-    const double lam_1 = a1_0 * b_0 + a_0 * b1_0 + c1_0 * (a_0 + b_0) + c_0 * (a1_0 + b1_0);
-    const double lam_2 = a1_0 * b1_0 + a2_0 * b_0 + a_0 * b2_0 + c1_0 * (a1_0 + b1_0) + c2_0 * (a_0 + b_0) + c_0 *
+    SF_UNROLLED
+    for (int turn = 0; turn < turns; turn++) {
+        const double x_0 = state[0], x_1 = state[1], x_2 = state[2], x_3 = state[3], y_0 = state[4], y_1 = state[5],
+            y_2 = state[6], y_3 = state[7], z_0 = state[8], z_1 = state[9], z_2 = state[10], z_3 = state[11],
+            total_0 = state[12], total_1 = state[13], total_2 = state[14], total_3 = state[15];
+        const double a_0 = sqrt(x_0);
+        const double a_half_0 = 0.5 / a_0;
+        const double a1_0 = a_half_0 * x_1;
+        const double a2_0 = a_half_0 * (-a1_0 * a1_0 + x_2);
+        const double a3_0 = a_half_0 * (-2.0 * a1_0 * a2_0 + x_3);
+        const double b_0 = sqrt(y_0);
+        const double b_half_0 = 0.5 / b_0;
+        const double b1_0 = b_half_0 * y_1;
+        const double b2_0 = b_half_0 * (-b1_0 * b1_0 + y_2);
+        const double b3_0 = b_half_0 * (-2.0 * b1_0 * b2_0 + y_3);
+        const double c_0 = sqrt(z_0);
+        const double c_half_0 = 0.5 / c_0;
+        const double c1_0 = c_half_0 * z_1;
+        const double c2_0 = c_half_0 * (-c1_0 * c1_0 + z_2);
+        const double c3_0 = c_half_0 * (-2.0 * c1_0 * c2_0 + z_3);
+        const double lam_0 = a_0 * b_0 + c_0 * (a_0 + b_0);
+        const double lam_1 = a1_0 * b_0 + a_0 * b1_0 + c1_0 * (a_0 + b_0) + c_0 * (a1_0 + b1_0);
+        const double lam_2 = a1_0 * b1_0 + a2_0 * b_0 + a_0 * b2_0 + c1_0 * (a1_0 + b1_0) + c2_0 * (a_0 + b_0) + c_0 *
         (a2_0 + b2_0);
-    const double lam_3 = a1_0 * b2_0 + a2_0 * b1_0 + a3_0 * b_0 + a_0 * b3_0 + c1_0 * (a2_0 + b2_0) + c2_0 * (a1_0 +
+        const double lam_3 = a1_0 * b2_0 + a2_0 * b1_0 + a3_0 * b_0 + a_0 * b3_0 + c1_0 * (a2_0 + b2_0) + c2_0 * (a1_0 +
         b1_0) + c3_0 * (a_0 + b_0) + c_0 * (a3_0 + b3_0);
-    const double q_0 = lam_0 + z_0;
-    const double q_1 = lam_1 + z_1;
-    const double q_2 = lam_2 + z_2;
-    const double q_3 = lam_3 + z_3;
-    const double below_0 = c_0 * q_0;
-    const double below_1 = c1_0 * q_0 + c_0 * q_1;
-    const double below_2 = c1_0 * q_1 + c2_0 * q_0 + c_0 * q_2;
-    const double below_3 = c1_0 * q_2 + c2_0 * q_1 + c3_0 * q_0 + c_0 * q_3;
-    const double term_0 = 1.0 / below_0;
-    const double term1_0 = -below_1 * term_0 * term_0;
-    const double term2_0 = -term_0 * (below_1 * term1_0 + below_2 * term_0);
-    const double term3_0 = -term_0 * (below_1 * term2_0 + below_2 * term1_0 + below_3 * term_0);
-    const double X_0 = 0.25 * lam_0 + 0.25 * x_0;
-    const double X_1 = 0.25 * lam_1 + 0.25 * x_1;
-    const double X_2 = 0.25 * lam_2 + 0.25 * x_2;
-    const double X_3 = 0.25 * lam_3 + 0.25 * x_3;
-    const double Y_0 = 0.25 * lam_0 + 0.25 * y_0;
-    const double Y_1 = 0.25 * lam_1 + 0.25 * y_1;
-    const double Y_2 = 0.25 * lam_2 + 0.25 * y_2;
-    const double Y_3 = 0.25 * lam_3 + 0.25 * y_3;
-    const double Z_0 = 0.25 * lam_0 + 0.25 * z_0;
-    const double Z_1 = 0.25 * lam_1 + 0.25 * z_1;
-    const double Z_2 = 0.25 * lam_2 + 0.25 * z_2;
-    const double Z_3 = 0.25 * lam_3 + 0.25 * z_3;
-    *next_X_0 = X_0;
-    *next_X_1 = X_1;
-    *next_X_2 = X_2;
-    *next_X_3 = X_3;
-    *next_Y_0 = Y_0;
-    *next_Y_1 = Y_1;
-    *next_Y_2 = Y_2;
-    *next_Y_3 = Y_3;
-    *next_Z_0 = Z_0;
-    *next_Z_1 = Z_1;
-    *next_Z_2 = Z_2;
-    *next_Z_3 = Z_3;
-    *share_0 = term_0;
-    *share_1 = term1_0;
-    *share_2 = term2_0;
-    *share_3 = term3_0;
+        const double q_0 = lam_0 + z_0;
+        const double q_1 = lam_1 + z_1;
+        const double q_2 = lam_2 + z_2;
+        const double q_3 = lam_3 + z_3;
+        const double below_0 = c_0 * q_0;
+        const double below_1 = c1_0 * q_0 + c_0 * q_1;
+        const double below_2 = c1_0 * q_1 + c2_0 * q_0 + c_0 * q_2;
+        const double below_3 = c1_0 * q_2 + c2_0 * q_1 + c3_0 * q_0 + c_0 * q_3;
+        const double term_0 = 1.0 / below_0;
+        const double term1_0 = -below_1 * term_0 * term_0;
+        const double term2_0 = -term_0 * (below_1 * term1_0 + below_2 * term_0);
+        const double term3_0 = -term_0 * (below_1 * term2_0 + below_2 * term1_0 + below_3 * term_0);
+        const double X_0 = 0.25 * lam_0 + 0.25 * x_0;
+        const double X_1 = 0.25 * lam_1 + 0.25 * x_1;
+        const double X_2 = 0.25 * lam_2 + 0.25 * x_2;
+        const double X_3 = 0.25 * lam_3 + 0.25 * x_3;
+        const double Y_0 = 0.25 * lam_0 + 0.25 * y_0;
+        const double Y_1 = 0.25 * lam_1 + 0.25 * y_1;
+        const double Y_2 = 0.25 * lam_2 + 0.25 * y_2;
+        const double Y_3 = 0.25 * lam_3 + 0.25 * y_3;
+        const double Z_0 = 0.25 * lam_0 + 0.25 * z_0;
+        const double Z_1 = 0.25 * lam_1 + 0.25 * z_1;
+        const double Z_2 = 0.25 * lam_2 + 0.25 * z_2;
+        const double Z_3 = 0.25 * lam_3 + 0.25 * z_3;
+        state[0] = X_0;
+        state[1] = X_1;
+        state[2] = X_2;
+        state[3] = X_3;
+        state[4] = Y_0;
+        state[5] = Y_1;
+        state[6] = Y_2;
+        state[7] = Y_3;
+        state[8] = Z_0;
+        state[9] = Z_1;
+        state[10] = Z_2;
+        state[11] = Z_3;
+        state[12] = term_0 + 4.0 * total_0;
+        state[13] = term1_0 + 4.0 * total_1;
+        state[14] = term2_0 + 4.0 * total_2;
+        state[15] = term3_0 + 4.0 * total_3;
+    }
 }
 
 /* R_D of arguments that are nearly equal, as a Taylor series. */
@@ -312,42 +314,20 @@ SF_COMMON void rod_spring_untruncated_duplications(double X0_0, double X0_1, dou
     double Y0_1, double Y0_2, double Y0_3, double Z0_0, double Z0_1, double Z0_2, double Z0_3, double term0_0,
     double term0_1, double term0_2, double term0_3, double *R_0, double *R_1, double *R_2, double *R_3)
 {
-    double X1_0, X1_1, X1_2, X1_3, Y1_0, Y1_1, Y1_2, Y1_3, Z1_0, Z1_1, Z1_2, Z1_3, term1_0, term1_1, term1_2,
-        term1_3;
-    rod_spring_untruncated_duplication(X0_0, X0_1, X0_2, X0_3, Y0_0, Y0_1, Y0_2, Y0_3, Z0_0, Z0_1, Z0_2, Z0_3,
-        &X1_0, &X1_1, &X1_2, &X1_3, &Y1_0, &Y1_1, &Y1_2, &Y1_3, &Z1_0, &Z1_1, &Z1_2, &Z1_3, &term1_0, &term1_1,
-        &term1_2, &term1_3);
-    double X2_0, X2_1, X2_2, X2_3, Y2_0, Y2_1, Y2_2, Y2_3, Z2_0, Z2_1, Z2_2, Z2_3, term2_0, term2_1, term2_2,
-        term2_3;
-    rod_spring_untruncated_duplication(X1_0, X1_1, X1_2, X1_3, Y1_0, Y1_1, Y1_2, Y1_3, Z1_0, Z1_1, Z1_2, Z1_3,
-        &X2_0, &X2_1, &X2_2, &X2_3, &Y2_0, &Y2_1, &Y2_2, &Y2_3, &Z2_0, &Z2_1, &Z2_2, &Z2_3, &term2_0, &term2_1,
-        &term2_2, &term2_3);
-    double X3_0, X3_1, X3_2, X3_3, Y3_0, Y3_1, Y3_2, Y3_3, Z3_0, Z3_1, Z3_2, Z3_3, term3_0, term3_1, term3_2,
-        term3_3;
-    rod_spring_untruncated_duplication(X2_0, X2_1, X2_2, X2_3, Y2_0, Y2_1, Y2_2, Y2_3, Z2_0, Z2_1, Z2_2, Z2_3,
-        &X3_0, &X3_1, &X3_2, &X3_3, &Y3_0, &Y3_1, &Y3_2, &Y3_3, &Z3_0, &Z3_1, &Z3_2, &Z3_3, &term3_0, &term3_1,
-        &term3_2, &term3_3);
-    double X4_0, X4_1, X4_2, X4_3, Y4_0, Y4_1, Y4_2, Y4_3, Z4_0, Z4_1, Z4_2, Z4_3, term4_0, term4_1, term4_2,
-        term4_3;
-    rod_spring_untruncated_duplication(X3_0, X3_1, X3_2, X3_3, Y3_0, Y3_1, Y3_2, Y3_3, Z3_0, Z3_1, Z3_2, Z3_3,
-        &X4_0, &X4_1, &X4_2, &X4_3, &Y4_0, &Y4_1, &Y4_2, &Y4_3, &Z4_0, &Z4_1, &Z4_2, &Z4_3, &term4_0, &term4_1,
-        &term4_2, &term4_3);
-    double X5_0, X5_1, X5_2, X5_3, Y5_0, Y5_1, Y5_2, Y5_3, Z5_0, Z5_1, Z5_2, Z5_3, term5_0, term5_1, term5_2,
-        term5_3;
-    rod_spring_untruncated_duplication(X4_0, X4_1, X4_2, X4_3, Y4_0, Y4_1, Y4_2, Y4_3, Z4_0, Z4_1, Z4_2, Z4_3,
-        &X5_0, &X5_1, &X5_2, &X5_3, &Y5_0, &Y5_1, &Y5_2, &Y5_3, &Z5_0, &Z5_1, &Z5_2, &Z5_3, &term5_0, &term5_1,
-        &term5_2, &term5_3);
+    double duplication[] = {X0_0, X0_1, X0_2, X0_3, Y0_0, Y0_1, Y0_2, Y0_3, Z0_0, Z0_1, Z0_2, Z0_3, term0_0,
+        term0_1, term0_2, term0_3};
+    rod_spring_untruncated_duplication(5, duplication);
+    const double X_0 = duplication[0], X_1 = duplication[1], X_2 = duplication[2], X_3 = duplication[3],
+        Y_0 = duplication[4], Y_1 = duplication[5], Y_2 = duplication[6], Y_3 = duplication[7],
+        Z_0 = duplication[8], Z_1 = duplication[9], Z_2 = duplication[10], Z_3 = duplication[11],
+        total_0 = duplication[12], total_1 = duplication[13], total_2 = duplication[14], total_3 = duplication[15];
     double last_0, last_1, last_2, last_3;
-    rod_spring_untruncated_remainder(X5_0, X5_1, X5_2, X5_3, Y5_0, Y5_1, Y5_2, Y5_3, Z5_0, Z5_1, Z5_2, Z5_3,
-        &last_0, &last_1, &last_2, &last_3);
-    *R_0 = 0.000244140625 * last_0 + 3.0 * term0_0 + 0.75 * term1_0 + 0.1875 * term2_0 + 0.046875 * term3_0 +
-        0.01171875 * term4_0 + 0.0029296875 * term5_0;
-    *R_1 = 0.000244140625 * last_1 + 3.0 * term0_1 + 0.75 * term1_1 + 0.1875 * term2_1 + 0.046875 * term3_1 +
-        0.01171875 * term4_1 + 0.0029296875 * term5_1;
-    *R_2 = 0.000244140625 * last_2 + 3.0 * term0_2 + 0.75 * term1_2 + 0.1875 * term2_2 + 0.046875 * term3_2 +
-        0.01171875 * term4_2 + 0.0029296875 * term5_2;
-    *R_3 = 0.000244140625 * last_3 + 3.0 * term0_3 + 0.75 * term1_3 + 0.1875 * term2_3 + 0.046875 * term3_3 +
-        0.01171875 * term4_3 + 0.0029296875 * term5_3;
+    rod_spring_untruncated_remainder(X_0, X_1, X_2, X_3, Y_0, Y_1, Y_2, Y_3, Z_0, Z_1, Z_2, Z_3, &last_0, &last_1,
+        &last_2, &last_3);
+    *R_0 = 0.000244140625 * last_0 + 0.0029296875 * total_0;
+    *R_1 = 0.000244140625 * last_1 + 0.0029296875 * total_1;
+    *R_2 = 0.000244140625 * last_2 + 0.0029296875 * total_2;
+    *R_3 = 0.000244140625 * last_3 + 0.0029296875 * total_3;
 }
 
 /* What averaged_all_passed_1_steep_far, averaged_all_passed_1_steep_away have in common. */
@@ -455,6 +435,22 @@ SF_COMMON void rod_spring_untruncated_harmonic_node(double x, double x2, double 
     *sum_5_3 = s4 * scale * (12.0 * v2 + 3.0) * (s2 * (16.0 * s2 - 20.0) + 5.0) / (delta * square3);
 }
 
+/* Steps of the arithmetic-geometric mean, with the sum of its differences and that of their squares by weight. */
+SF_COMMON void rod_spring_untruncated_means(double quarter, int turns, double *state)
+{
+    SF_UNROLLED
+    for (int turn = 0; turn < turns; turn++) {
+        const double a = state[0], b = state[1], e = state[2], total = state[3], squares = state[4];
+        const double mean = 0.5 * a + 0.5 * b;
+        const double difference = e * e * quarter / mean;
+        state[0] = mean;
+        state[1] = sqrt(a) * sqrt(b);
+        state[2] = difference;
+        state[3] = difference + total;
+        state[4] = difference * difference + 0.5 * squares;
+    }
+}
+
 /* Terms of int f^(n + j)(A s) s^j cos^(2n) t dt at a point, by n, then by j. */
 SF_COMMON void rod_spring_untruncated_midpoint(double s, double cosine, double A, double *moment_3_0,
     double *moment_3_1, double *moment_3_2, double *moment_3_3, double *moment_5_0, double *moment_5_1,
@@ -532,7 +528,7 @@ SF_COMMON void rod_spring_untruncated_tangent_node(double X2, double K2, double 
 }
 
 /* h, h_A, h_AA, h_AAA, H, H_A, h - A h_A together.
-   Equation (20)-(22), (31). Domain: A >= 0. Operations: 154 in passed_0_end, 94 in passed_0, 146 in passed_0_steep,
+   Equation (20)-(22), (31). Domain: A >= 0. Operations: 162 in passed_0_end, 97 in passed_0, 153 in passed_0_steep,
    655 in passed_1_far, 615 in passed_1, 988 in passed_1_steeper_far, 944 in passed_1_steeper, 1673 in
    passed_1_steep_far, 1357 in passed_1_steep_away, 1444 in passed_1_steep. Error / u (1 + kappa): measured 3.8. */
 SF_KERNEL void rod_spring_untruncated_averaged_all_passed_0_end(double A, const double *p, double *out)
@@ -544,62 +540,35 @@ SF_KERNEL void rod_spring_untruncated_averaged_all_passed_0_end(double A, const 
     const double a_1 = 0.5 * k_c + 0.5;
     const double b_1 = sqrt(k_c);
     const double e_1 = 0.25 / a_1;
-    const double a_2 = 0.5 * a_1 + 0.5 * b_1;
-    const double b_2 = sqrt(a_1) * sqrt(b_1);
-    const double t0 = e_1 * e_1;
-    const double t1 = 0.25 * m;
-    const double e_2 = t0 * t1 / a_2;
-    const double a_3 = 0.5 * a_2 + 0.5 * b_2;
-    const double b_3 = sqrt(a_2) * sqrt(b_2);
-    const double t2 = e_2 * e_2;
-    const double e_3 = t1 * t2 / a_3;
-    const double a_4 = 0.5 * a_3 + 0.5 * b_3;
-    const double b_4 = sqrt(a_3) * sqrt(b_3);
-    const double t3 = e_3 * e_3;
-    const double e_4 = t1 * t3 / a_4;
-    const double a_5 = 0.5 * a_4 + 0.5 * b_4;
-    const double b_5 = sqrt(a_4) * sqrt(b_4);
-    const double t4 = e_4 * e_4;
-    const double e_5 = t1 * t4 / a_5;
-    const double a_6 = 0.5 * a_5 + 0.5 * b_5;
-    const double b_6 = sqrt(a_5) * sqrt(b_5);
-    const double t5 = e_5 * e_5;
-    const double e_6 = t1 * t5 / a_6;
-    const double a_7 = 0.5 * a_6 + 0.5 * b_6;
-    const double b_7 = sqrt(a_6) * sqrt(b_6);
-    const double t6 = e_6 * e_6;
-    const double e_7 = t1 * t6 / a_7;
-    const double a_8 = 0.5 * a_7 + 0.5 * b_7;
-    const double b_8 = sqrt(a_7) * sqrt(b_7);
-    const double t7 = e_7 * e_7;
-    const double e_8 = t1 * t7 / a_8;
+    const double square = e_1 * e_1;
+    const double quarter = 0.25 * m;
+    double means[] = {a_1, b_1, e_1, e_1, square};
+    rod_spring_untruncated_means(quarter, 7, means);
+    const double a_8 = means[0], b_8 = means[1], e_8 = means[2], total = means[3], squares = means[4];
     const double a_9 = 0.5 * a_8 + 0.5 * b_8;
-    const double t8 = e_8 * e_8;
-    const double t9 = 1.0 / a_9;
-    const double t10 = m * t9;
-    const double e_9 = 0.25 * t10 * t8;
-    const double e = e_1 + e_2 + e_3 + e_4 + e_5 + e_6 + e_7 + e_8 + e_9;
-    const double tau = 512.0 * e_9 * e_9 + 2.0 * t0 + 4.0 * t2 + 8.0 * t3 + 16.0 * t4 + 32.0 * t5 + 64.0 * t6 +
-        128.0 * t7 + 256.0 * t8;
-    const double P = t10 * (e + tau);
-    const double B = t9 * (-m * tau + 1.0);
-    const double C = 2.0 * t9 * tau;
-    const double t11 = 2.0 * beta;
-    const double t12 = A * t11;
-    const double t13 = P * t12;
-    const double t14 = 1.0 / k;
-    const double t15 = B * t14;
-    const double t16 = alpha + t11 * (-C * m + P + m * t15);
+    const double t0 = 1.0 / a_9;
+    const double e_9 = e_8 * e_8 * quarter * t0;
+    const double e = e_9 + total;
+    const double tau = 512.0 * e_9 * e_9 + 256.0 * squares;
+    const double P = m * t0 * (e + tau);
+    const double B = t0 * (-m * tau + 1.0);
+    const double C = 2.0 * t0 * tau;
+    const double t1 = 2.0 * beta;
+    const double t2 = A * t1;
+    const double t3 = P * t2;
+    const double t4 = 1.0 / k;
+    const double t5 = B * t4;
+    const double t6 = alpha + t1 * (-C * m + P + m * t5);
     const double k2 = k * k;
-    const double t17 = 1.0 / k2;
+    const double t7 = 1.0 / k2;
     const double k3 = k * k2;
-    out[0] = -A * alpha - t13;
-    out[1] = -t16;
-    out[2] = -t12 * (2.0 * B * t17 + C * t14);
-    out[3] = -t11 * (B * (5.0 * m + 3.0) / k3 + C * t17 * (7.0 * m - 3.0));
-    out[4] = -A * (alpha - 1.0) - t13;
-    out[5] = 1.0 - t16;
-    out[6] = 4.0 * A * beta * m * (-0.5 * C + 0.5 * t15);
+    out[0] = -A * alpha - t3;
+    out[1] = -t6;
+    out[2] = -t2 * (2.0 * B * t7 + C * t4);
+    out[3] = -t1 * (B * (5.0 * m + 3.0) / k3 + C * t7 * (7.0 * m - 3.0));
+    out[4] = -A * (alpha - 1.0) - t3;
+    out[5] = 1.0 - t6;
+    out[6] = 4.0 * A * beta * m * (-0.5 * C + 0.5 * t5);
 }
 
 SF_KERNEL void rod_spring_untruncated_averaged_all_passed_0(double A, const double *p, double *out)
@@ -611,41 +580,35 @@ SF_KERNEL void rod_spring_untruncated_averaged_all_passed_0(double A, const doub
     const double a_1 = 0.5 * k_c + 0.5;
     const double b_1 = sqrt(k_c);
     const double e_1 = 0.25 / a_1;
-    const double a_2 = 0.5 * a_1 + 0.5 * b_1;
-    const double b_2 = sqrt(a_1) * sqrt(b_1);
-    const double t1 = e_1 * e_1;
-    const double t2 = 0.25 * m;
-    const double e_2 = t1 * t2 / a_2;
-    const double a_3 = 0.5 * a_2 + 0.5 * b_2;
-    const double b_3 = sqrt(a_2) * sqrt(b_2);
-    const double t3 = e_2 * e_2;
-    const double e_3 = t2 * t3 / a_3;
+    const double square = e_1 * e_1;
+    const double quarter = 0.25 * m;
+    double means[] = {a_1, b_1, e_1, e_1, square};
+    rod_spring_untruncated_means(quarter, 2, means);
+    const double a_3 = means[0], b_3 = means[1], e_3 = means[2], total = means[3], squares = means[4];
     const double a_4 = 0.5 * a_3 + 0.5 * b_3;
-    const double t4 = e_3 * e_3;
-    const double t5 = 1.0 / a_4;
-    const double t6 = m * t5;
-    const double e_4 = 0.25 * t4 * t6;
-    const double e = e_1 + e_2 + e_3 + e_4;
-    const double tau = 16.0 * e_4 * e_4 + 2.0 * t1 + 4.0 * t3 + 8.0 * t4;
-    const double P = t6 * (e + tau);
-    const double B = t5 * (-m * tau + 1.0);
-    const double C = 2.0 * t5 * tau;
-    const double t7 = 2.0 * beta;
-    const double t8 = A * t7;
-    const double t9 = P * t8;
-    const double t10 = 1.0 / t0;
-    const double t11 = B * t10;
-    const double t12 = alpha + t7 * (-C * m + P + m * t11);
+    const double t1 = 1.0 / a_4;
+    const double e_4 = e_3 * e_3 * quarter * t1;
+    const double e = e_4 + total;
+    const double tau = 16.0 * e_4 * e_4 + 8.0 * squares;
+    const double P = m * t1 * (e + tau);
+    const double B = t1 * (-m * tau + 1.0);
+    const double C = 2.0 * t1 * tau;
+    const double t2 = 2.0 * beta;
+    const double t3 = A * t2;
+    const double t4 = P * t3;
+    const double t5 = 1.0 / t0;
+    const double t6 = B * t5;
+    const double t7 = alpha + t2 * (-C * m + P + m * t6);
     const double k2 = t0 * t0;
-    const double t13 = 1.0 / k2;
+    const double t8 = 1.0 / k2;
     const double k3 = k2 * t0;
-    out[0] = -A * alpha - t9;
-    out[1] = -t12;
-    out[2] = -t8 * (2.0 * B * t13 + C * t10);
-    out[3] = -t7 * (B * (5.0 * m + 3.0) / k3 + C * t13 * (7.0 * m - 3.0));
-    out[4] = -A * (alpha - 1.0) - t9;
-    out[5] = 1.0 - t12;
-    out[6] = 4.0 * A * beta * m * (-0.5 * C + 0.5 * t11);
+    out[0] = -A * alpha - t4;
+    out[1] = -t7;
+    out[2] = -t3 * (2.0 * B * t8 + C * t5);
+    out[3] = -t2 * (B * (5.0 * m + 3.0) / k3 + C * t8 * (7.0 * m - 3.0));
+    out[4] = -A * (alpha - 1.0) - t4;
+    out[5] = 1.0 - t7;
+    out[6] = 4.0 * A * beta * m * (-0.5 * C + 0.5 * t6);
 }
 
 SF_KERNEL void rod_spring_untruncated_averaged_all_passed_0_steep(double A, const double *p, double *out)
@@ -659,58 +622,35 @@ SF_KERNEL void rod_spring_untruncated_averaged_all_passed_0_steep(double A, cons
     const double a_1 = 0.5 * k_c + 0.5;
     const double b_1 = sqrt(k_c);
     const double e_1 = 0.25 / a_1;
-    const double a_2 = 0.5 * a_1 + 0.5 * b_1;
-    const double b_2 = sqrt(a_1) * sqrt(b_1);
-    const double t2 = e_1 * e_1;
-    const double t3 = 0.25 * m;
-    const double e_2 = t2 * t3 / a_2;
-    const double a_3 = 0.5 * a_2 + 0.5 * b_2;
-    const double b_3 = sqrt(a_2) * sqrt(b_2);
-    const double t4 = e_2 * e_2;
-    const double e_3 = t3 * t4 / a_3;
-    const double a_4 = 0.5 * a_3 + 0.5 * b_3;
-    const double b_4 = sqrt(a_3) * sqrt(b_3);
-    const double t5 = e_3 * e_3;
-    const double e_4 = t3 * t5 / a_4;
-    const double a_5 = 0.5 * a_4 + 0.5 * b_4;
-    const double b_5 = sqrt(a_4) * sqrt(b_4);
-    const double t6 = e_4 * e_4;
-    const double e_5 = t3 * t6 / a_5;
-    const double a_6 = 0.5 * a_5 + 0.5 * b_5;
-    const double b_6 = sqrt(a_5) * sqrt(b_5);
-    const double t7 = e_5 * e_5;
-    const double e_6 = t3 * t7 / a_6;
-    const double a_7 = 0.5 * a_6 + 0.5 * b_6;
-    const double b_7 = sqrt(a_6) * sqrt(b_6);
-    const double t8 = e_6 * e_6;
-    const double e_7 = t3 * t8 / a_7;
+    const double square = e_1 * e_1;
+    const double quarter = 0.25 * m;
+    double means[] = {a_1, b_1, e_1, e_1, square};
+    rod_spring_untruncated_means(quarter, 6, means);
+    const double a_7 = means[0], b_7 = means[1], e_7 = means[2], total = means[3], squares = means[4];
     const double a_8 = 0.5 * a_7 + 0.5 * b_7;
-    const double t9 = e_7 * e_7;
-    const double t10 = 1.0 / a_8;
-    const double t11 = m * t10;
-    const double e_8 = 0.25 * t11 * t9;
-    const double e = e_1 + e_2 + e_3 + e_4 + e_5 + e_6 + e_7 + e_8;
-    const double tau = 256.0 * e_8 * e_8 + 2.0 * t2 + 4.0 * t4 + 8.0 * t5 + 16.0 * t6 + 32.0 * t7 + 64.0 * t8 +
-        128.0 * t9;
-    const double P = t11 * (e + tau);
-    const double B = t10 * (-m * tau + 1.0);
-    const double C = 2.0 * t10 * tau;
-    const double t12 = 2.0 * beta;
-    const double t13 = A * t12;
-    const double t14 = P * t13;
-    const double t15 = 1.0 / k;
-    const double t16 = B * t15;
-    const double t17 = alpha + t12 * (-C * m + P + m * t16);
+    const double t2 = 1.0 / a_8;
+    const double e_8 = e_7 * e_7 * quarter * t2;
+    const double e = e_8 + total;
+    const double tau = 256.0 * e_8 * e_8 + 128.0 * squares;
+    const double P = m * t2 * (e + tau);
+    const double B = t2 * (-m * tau + 1.0);
+    const double C = 2.0 * t2 * tau;
+    const double t3 = 2.0 * beta;
+    const double t4 = A * t3;
+    const double t5 = P * t4;
+    const double t6 = 1.0 / k;
+    const double t7 = B * t6;
+    const double t8 = alpha + t3 * (-C * m + P + m * t7);
     const double k2 = k * k;
-    const double t18 = 1.0 / k2;
+    const double t9 = 1.0 / k2;
     const double k3 = k * k2;
-    out[0] = -A * alpha - t14;
-    out[1] = -t17;
-    out[2] = -t13 * (2.0 * B * t18 + C * t15);
-    out[3] = -t12 * (B * (5.0 * m + 3.0) / k3 + C * t18 * (7.0 * m - 3.0));
-    out[4] = -A * (alpha - 1.0) - t14;
-    out[5] = 1.0 - t17;
-    out[6] = 4.0 * A * beta * m * (-0.5 * C + 0.5 * t16);
+    out[0] = -A * alpha - t5;
+    out[1] = -t8;
+    out[2] = -t4 * (2.0 * B * t9 + C * t6);
+    out[3] = -t3 * (B * (5.0 * m + 3.0) / k3 + C * t9 * (7.0 * m - 3.0));
+    out[4] = -A * (alpha - 1.0) - t5;
+    out[5] = 1.0 - t8;
+    out[6] = 4.0 * A * beta * m * (-0.5 * C + 0.5 * t7);
 }
 
 SF_KERNEL void rod_spring_untruncated_averaged_all_passed_1_far(double A, const double *p, double *out)

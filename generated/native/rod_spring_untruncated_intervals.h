@@ -14,6 +14,22 @@
 
 SF_FAMILY_BEGIN
 
+/* Steps of the arithmetic-geometric mean, with the sum of its differences and that of their squares by weight. */
+SF_COMMON void rod_spring_untruncated_intervals_means(sf_interval quarter, int turns, sf_interval *state)
+{
+    SF_UNROLLED
+    for (int turn = 0; turn < turns; turn++) {
+        const sf_interval a = state[0], b = state[1], e = state[2], total = state[3], squares = state[4];
+        const sf_interval mean = sfi_add(sfi_times(0.5, a), sfi_times(0.5, b));
+        const sf_interval difference = sfi_div(sfi_mul(sfi_square(e), quarter), mean);
+        state[0] = mean;
+        state[1] = sfi_mul(sfi_sqrt(a), sfi_sqrt(b));
+        state[2] = difference;
+        state[3] = sfi_add(difference, total);
+        state[4] = sfi_add(sfi_square(difference), sfi_times(0.5, squares));
+    }
+}
+
 /* The |u| at which a piece of the force ends. */
 static inline void rod_spring_untruncated_intervals_breakpoints(const sf_interval *p, sf_interval *out)
 {
@@ -59,44 +75,33 @@ static inline void rod_spring_untruncated_intervals_attached(sf_interval A, cons
     const sf_interval a_1 = sfi_add(sfi_times(0.5, k_c), sfi_point(0.5));
     const sf_interval b_1 = sfi_sqrt(k_c);
     const sf_interval e_1 = sfi_div(sfi_point(0.25), a_1);
-    const sf_interval a_2 = sfi_add(sfi_times(0.5, a_1), sfi_times(0.5, b_1));
-    const sf_interval b_2 = sfi_mul(sfi_sqrt(a_1), sfi_sqrt(b_1));
-    const sf_interval t2 = sfi_square(e_1);
-    const sf_interval t3 = sfi_times(0.25, m);
-    const sf_interval e_2 = sfi_div(sfi_mul(t2, t3), a_2);
-    const sf_interval a_3 = sfi_add(sfi_times(0.5, a_2), sfi_times(0.5, b_2));
-    const sf_interval b_3 = sfi_mul(sfi_sqrt(a_2), sfi_sqrt(b_2));
-    const sf_interval t4 = sfi_square(e_2);
-    const sf_interval e_3 = sfi_div(sfi_mul(t3, t4), a_3);
-    const sf_interval a_4 = sfi_add(sfi_times(0.5, a_3), sfi_times(0.5, b_3));
-    const sf_interval b_4 = sfi_mul(sfi_sqrt(a_3), sfi_sqrt(b_3));
-    const sf_interval t5 = sfi_square(e_3);
-    const sf_interval e_4 = sfi_div(sfi_mul(t3, t5), a_4);
+    const sf_interval square = sfi_square(e_1);
+    const sf_interval quarter = sfi_times(0.25, m);
+    sf_interval means[] = {a_1, b_1, e_1, e_1, square};
+    rod_spring_untruncated_intervals_means(quarter, 3, means);
+    const sf_interval a_4 = means[0], b_4 = means[1], e_4 = means[2], total = means[3], squares = means[4];
     const sf_interval a_5 = sfi_within(sfi_add(sfi_times(0.5, a_4), sfi_times(0.5, b_4)), 8.6736173798840355e-19);
-    const sf_interval t6 = sfi_square(e_4);
-    const sf_interval t7 = sfi_inverse(a_5);
-    const sf_interval t8 = sfi_mul(m, t7);
-    const sf_interval e_5 = sfi_times(0.25, sfi_mul(t6, t8));
-    const sf_interval e = sfi_within(sfi_add(sfi_add(sfi_add(sfi_add(e_1, e_2), e_3), e_4), e_5), 8.6736173798840355e-19);
-    const sf_interval tau = sfi_within(sfi_add(sfi_add(sfi_add(sfi_add(sfi_times(32.0, sfi_square(e_5)), sfi_times(2.0, t2)),
-        sfi_times(4.0, t4)), sfi_times(8.0, t5)), sfi_times(16.0, t6)), 8.6736173798840355e-19);
-    const sf_interval P = sfi_mul(t8, sfi_add(e, tau));
-    const sf_interval B = sfi_mul(t7, sfi_add(sfi_neg(sfi_mul(m, tau)), sfi_point(1.0)));
-    const sf_interval C = sfi_times(2.0, sfi_mul(t7, tau));
-    const sf_interval t9 = sfi_times(2.0, beta);
-    const sf_interval t10 = sfi_mul(A, t9);
-    const sf_interval t11 = sfi_inverse(k);
-    const sf_interval t12 = sfi_mul(B, t11);
+    const sf_interval t2 = sfi_inverse(a_5);
+    const sf_interval e_5 = sfi_mul(sfi_mul(sfi_square(e_4), quarter), t2);
+    const sf_interval e = sfi_within(sfi_add(e_5, total), 8.6736173798840355e-19);
+    const sf_interval tau = sfi_within(sfi_add(sfi_times(32.0, sfi_square(e_5)), sfi_times(16.0, squares)), 8.6736173798840355e-19);
+    const sf_interval P = sfi_mul(sfi_mul(m, t2), sfi_add(e, tau));
+    const sf_interval B = sfi_mul(t2, sfi_add(sfi_neg(sfi_mul(m, tau)), sfi_point(1.0)));
+    const sf_interval C = sfi_times(2.0, sfi_mul(t2, tau));
+    const sf_interval t3 = sfi_times(2.0, beta);
+    const sf_interval t4 = sfi_mul(A, t3);
+    const sf_interval t5 = sfi_inverse(k);
+    const sf_interval t6 = sfi_mul(B, t5);
     const sf_interval k2 = sfi_square(k);
-    const sf_interval t13 = sfi_inverse(k2);
+    const sf_interval t7 = sfi_inverse(k2);
     const sf_interval k3 = sfi_mul(k, k2);
-    out[0] = sfi_sub(sfi_neg(sfi_mul(A, alpha)), sfi_mul(P, t10));
-    out[1] = sfi_sub(sfi_neg(alpha), sfi_mul(t9, sfi_add(sfi_add(sfi_neg(sfi_mul(C, m)), P), sfi_mul(m, t12))));
-    out[2] = sfi_neg(sfi_mul(t10, sfi_add(sfi_times(2.0, sfi_mul(B, t13)), sfi_mul(C, t11))));
-    out[3] = sfi_neg(sfi_mul(t9, sfi_add(sfi_div(sfi_mul(B, sfi_add(sfi_times(5.0, m), sfi_point(3.0))), k3),
-        sfi_mul(sfi_mul(C, t13), sfi_sub(sfi_times(7.0, m), sfi_point(3.0))))));
+    out[0] = sfi_sub(sfi_neg(sfi_mul(A, alpha)), sfi_mul(P, t4));
+    out[1] = sfi_sub(sfi_neg(alpha), sfi_mul(t3, sfi_add(sfi_add(sfi_neg(sfi_mul(C, m)), P), sfi_mul(m, t6))));
+    out[2] = sfi_neg(sfi_mul(t4, sfi_add(sfi_times(2.0, sfi_mul(B, t7)), sfi_mul(C, t5))));
+    out[3] = sfi_neg(sfi_mul(t3, sfi_add(sfi_div(sfi_mul(B, sfi_add(sfi_times(5.0, m), sfi_point(3.0))), k3),
+        sfi_mul(sfi_mul(C, t7), sfi_sub(sfi_times(7.0, m), sfi_point(3.0))))));
     out[4] = sfi_times(4.0, sfi_mul(sfi_mul(sfi_mul(A, beta), m), sfi_add(sfi_neg(sfi_times(0.5, C)),
-        sfi_times(0.5, t12))));
+        sfi_times(0.5, t6))));
 }
 
 /* h, h_A, h_AA, h_AAA, h - A h_A together. Where A does not exceed the breakpoint.
@@ -112,66 +117,33 @@ static inline void rod_spring_untruncated_intervals_attached_steep(sf_interval A
     const sf_interval a_1 = sfi_add(sfi_times(0.5, k_c), sfi_point(0.5));
     const sf_interval b_1 = sfi_sqrt(k_c);
     const sf_interval e_1 = sfi_div(sfi_point(0.25), a_1);
-    const sf_interval a_2 = sfi_add(sfi_times(0.5, a_1), sfi_times(0.5, b_1));
-    const sf_interval b_2 = sfi_mul(sfi_sqrt(a_1), sfi_sqrt(b_1));
-    const sf_interval t2 = sfi_square(e_1);
-    const sf_interval t3 = sfi_times(0.25, m);
-    const sf_interval e_2 = sfi_div(sfi_mul(t2, t3), a_2);
-    const sf_interval a_3 = sfi_add(sfi_times(0.5, a_2), sfi_times(0.5, b_2));
-    const sf_interval b_3 = sfi_mul(sfi_sqrt(a_2), sfi_sqrt(b_2));
-    const sf_interval t4 = sfi_square(e_2);
-    const sf_interval e_3 = sfi_div(sfi_mul(t3, t4), a_3);
-    const sf_interval a_4 = sfi_add(sfi_times(0.5, a_3), sfi_times(0.5, b_3));
-    const sf_interval b_4 = sfi_mul(sfi_sqrt(a_3), sfi_sqrt(b_3));
-    const sf_interval t5 = sfi_square(e_3);
-    const sf_interval e_4 = sfi_div(sfi_mul(t3, t5), a_4);
-    const sf_interval a_5 = sfi_add(sfi_times(0.5, a_4), sfi_times(0.5, b_4));
-    const sf_interval b_5 = sfi_mul(sfi_sqrt(a_4), sfi_sqrt(b_4));
-    const sf_interval t6 = sfi_square(e_4);
-    const sf_interval e_5 = sfi_div(sfi_mul(t3, t6), a_5);
-    const sf_interval a_6 = sfi_add(sfi_times(0.5, a_5), sfi_times(0.5, b_5));
-    const sf_interval b_6 = sfi_mul(sfi_sqrt(a_5), sfi_sqrt(b_5));
-    const sf_interval t7 = sfi_square(e_5);
-    const sf_interval e_6 = sfi_div(sfi_mul(t3, t7), a_6);
-    const sf_interval a_7 = sfi_add(sfi_times(0.5, a_6), sfi_times(0.5, b_6));
-    const sf_interval b_7 = sfi_mul(sfi_sqrt(a_6), sfi_sqrt(b_6));
-    const sf_interval t8 = sfi_square(e_6);
-    const sf_interval e_7 = sfi_div(sfi_mul(t3, t8), a_7);
-    const sf_interval a_8 = sfi_add(sfi_times(0.5, a_7), sfi_times(0.5, b_7));
-    const sf_interval b_8 = sfi_mul(sfi_sqrt(a_7), sfi_sqrt(b_7));
-    const sf_interval t9 = sfi_square(e_7);
-    const sf_interval e_8 = sfi_div(sfi_mul(t3, t9), a_8);
-    const sf_interval a_9 = sfi_add(sfi_times(0.5, a_8), sfi_times(0.5, b_8));
-    const sf_interval b_9 = sfi_mul(sfi_sqrt(a_8), sfi_sqrt(b_8));
-    const sf_interval t10 = sfi_square(e_8);
-    const sf_interval e_9 = sfi_div(sfi_mul(t10, t3), a_9);
+    const sf_interval square = sfi_square(e_1);
+    const sf_interval quarter = sfi_times(0.25, m);
+    sf_interval means[] = {a_1, b_1, e_1, e_1, square};
+    rod_spring_untruncated_intervals_means(quarter, 8, means);
+    const sf_interval a_9 = means[0], b_9 = means[1], e_9 = means[2], total = means[3], squares = means[4];
     const sf_interval a_10 = sfi_within(sfi_add(sfi_times(0.5, a_9), sfi_times(0.5, b_9)), 8.6736173798840355e-19);
-    const sf_interval t11 = sfi_square(e_9);
-    const sf_interval t12 = sfi_inverse(a_10);
-    const sf_interval t13 = sfi_mul(m, t12);
-    const sf_interval e_10 = sfi_times(0.25, sfi_mul(t11, t13));
-    const sf_interval e = sfi_within(sfi_add(sfi_add(sfi_add(sfi_add(sfi_add(sfi_add(sfi_add(sfi_add(sfi_add(e_1, e_10), e_2), e_3),
-        e_4), e_5), e_6), e_7), e_8), e_9), 8.6736173798840355e-19);
-    const sf_interval tau = sfi_within(sfi_add(sfi_add(sfi_add(sfi_add(sfi_add(sfi_add(sfi_add(sfi_add(sfi_add(sfi_times(1024.0,
-        sfi_square(e_10)), sfi_times(256.0, t10)), sfi_times(512.0, t11)), sfi_times(2.0, t2)), sfi_times(4.0, t4)),
-        sfi_times(8.0, t5)), sfi_times(16.0, t6)), sfi_times(32.0, t7)), sfi_times(64.0, t8)), sfi_times(128.0, t9)), 8.6736173798840355e-19);
-    const sf_interval P = sfi_mul(t13, sfi_add(e, tau));
-    const sf_interval B = sfi_mul(t12, sfi_add(sfi_neg(sfi_mul(m, tau)), sfi_point(1.0)));
-    const sf_interval C = sfi_times(2.0, sfi_mul(t12, tau));
-    const sf_interval t14 = sfi_times(2.0, beta);
-    const sf_interval t15 = sfi_mul(A, t14);
-    const sf_interval t16 = sfi_inverse(k);
-    const sf_interval t17 = sfi_mul(B, t16);
+    const sf_interval t2 = sfi_inverse(a_10);
+    const sf_interval e_10 = sfi_mul(sfi_mul(sfi_square(e_9), quarter), t2);
+    const sf_interval e = sfi_within(sfi_add(e_10, total), 8.6736173798840355e-19);
+    const sf_interval tau = sfi_within(sfi_add(sfi_times(1024.0, sfi_square(e_10)), sfi_times(512.0, squares)), 8.6736173798840355e-19);
+    const sf_interval P = sfi_mul(sfi_mul(m, t2), sfi_add(e, tau));
+    const sf_interval B = sfi_mul(t2, sfi_add(sfi_neg(sfi_mul(m, tau)), sfi_point(1.0)));
+    const sf_interval C = sfi_times(2.0, sfi_mul(t2, tau));
+    const sf_interval t3 = sfi_times(2.0, beta);
+    const sf_interval t4 = sfi_mul(A, t3);
+    const sf_interval t5 = sfi_inverse(k);
+    const sf_interval t6 = sfi_mul(B, t5);
     const sf_interval k2 = sfi_square(k);
-    const sf_interval t18 = sfi_inverse(k2);
+    const sf_interval t7 = sfi_inverse(k2);
     const sf_interval k3 = sfi_mul(k, k2);
-    out[0] = sfi_sub(sfi_neg(sfi_mul(A, alpha)), sfi_mul(P, t15));
-    out[1] = sfi_sub(sfi_neg(alpha), sfi_mul(t14, sfi_add(sfi_add(sfi_neg(sfi_mul(C, m)), P), sfi_mul(m, t17))));
-    out[2] = sfi_neg(sfi_mul(t15, sfi_add(sfi_times(2.0, sfi_mul(B, t18)), sfi_mul(C, t16))));
-    out[3] = sfi_neg(sfi_mul(t14, sfi_add(sfi_div(sfi_mul(B, sfi_add(sfi_times(5.0, m), sfi_point(3.0))), k3),
-        sfi_mul(sfi_mul(C, t18), sfi_sub(sfi_times(7.0, m), sfi_point(3.0))))));
+    out[0] = sfi_sub(sfi_neg(sfi_mul(A, alpha)), sfi_mul(P, t4));
+    out[1] = sfi_sub(sfi_neg(alpha), sfi_mul(t3, sfi_add(sfi_add(sfi_neg(sfi_mul(C, m)), P), sfi_mul(m, t6))));
+    out[2] = sfi_neg(sfi_mul(t4, sfi_add(sfi_times(2.0, sfi_mul(B, t7)), sfi_mul(C, t5))));
+    out[3] = sfi_neg(sfi_mul(t3, sfi_add(sfi_div(sfi_mul(B, sfi_add(sfi_times(5.0, m), sfi_point(3.0))), k3),
+        sfi_mul(sfi_mul(C, t7), sfi_sub(sfi_times(7.0, m), sfi_point(3.0))))));
     out[4] = sfi_times(4.0, sfi_mul(sfi_mul(sfi_mul(A, beta), m), sfi_add(sfi_neg(sfi_times(0.5, C)),
-        sfi_times(0.5, t17))));
+        sfi_times(0.5, t6))));
 }
 
 /* The same where it does, from the parts.

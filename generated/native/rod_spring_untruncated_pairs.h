@@ -14,6 +14,22 @@
 
 SF_FAMILY_BEGIN
 
+/* Steps of the arithmetic-geometric mean, with the sum of its differences and that of their squares by weight. */
+SF_COMMON void rod_spring_untruncated_pairs_means(sf_pair quarter, int turns, sf_pair *state)
+{
+    SF_UNROLLED
+    for (int turn = 0; turn < turns; turn++) {
+        const sf_pair a = state[0], b = state[1], e = state[2], total = state[3], squares = state[4];
+        const sf_pair mean = sfp_add(sfp_times(0.5, a), sfp_times(0.5, b));
+        const sf_pair difference = sfp_div(sfp_mul(sfp_square(e), quarter), mean);
+        state[0] = mean;
+        state[1] = sfp_mul(sfp_sqrt(a), sfp_sqrt(b));
+        state[2] = difference;
+        state[3] = sfp_add(difference, total);
+        state[4] = sfp_add(sfp_square(difference), sfp_times(0.5, squares));
+    }
+}
+
 /* The |u| at which a piece of the force ends. */
 static inline void rod_spring_untruncated_pairs_breakpoints(const sf_pair *p, sf_pair *out)
 {
@@ -59,44 +75,33 @@ static inline void rod_spring_untruncated_pairs_attached(sf_pair A, const sf_pai
     const sf_pair a_1 = sfp_add(sfp_times(0.5, k_c), sfp_point(0.5));
     const sf_pair b_1 = sfp_sqrt(k_c);
     const sf_pair e_1 = sfp_div(sfp_point(0.25), a_1);
-    const sf_pair a_2 = sfp_add(sfp_times(0.5, a_1), sfp_times(0.5, b_1));
-    const sf_pair b_2 = sfp_mul(sfp_sqrt(a_1), sfp_sqrt(b_1));
-    const sf_pair t2 = sfp_square(e_1);
-    const sf_pair t3 = sfp_times(0.25, m);
-    const sf_pair e_2 = sfp_div(sfp_mul(t2, t3), a_2);
-    const sf_pair a_3 = sfp_add(sfp_times(0.5, a_2), sfp_times(0.5, b_2));
-    const sf_pair b_3 = sfp_mul(sfp_sqrt(a_2), sfp_sqrt(b_2));
-    const sf_pair t4 = sfp_square(e_2);
-    const sf_pair e_3 = sfp_div(sfp_mul(t3, t4), a_3);
-    const sf_pair a_4 = sfp_add(sfp_times(0.5, a_3), sfp_times(0.5, b_3));
-    const sf_pair b_4 = sfp_mul(sfp_sqrt(a_3), sfp_sqrt(b_3));
-    const sf_pair t5 = sfp_square(e_3);
-    const sf_pair e_4 = sfp_div(sfp_mul(t3, t5), a_4);
+    const sf_pair square = sfp_square(e_1);
+    const sf_pair quarter = sfp_times(0.25, m);
+    sf_pair means[] = {a_1, b_1, e_1, e_1, square};
+    rod_spring_untruncated_pairs_means(quarter, 3, means);
+    const sf_pair a_4 = means[0], b_4 = means[1], e_4 = means[2], total = means[3], squares = means[4];
     const sf_pair a_5 = sfp_add(sfp_times(0.5, a_4), sfp_times(0.5, b_4));
-    const sf_pair t6 = sfp_square(e_4);
-    const sf_pair t7 = sfp_inverse(a_5);
-    const sf_pair t8 = sfp_mul(m, t7);
-    const sf_pair e_5 = sfp_times(0.25, sfp_mul(t6, t8));
-    const sf_pair e = sfp_add(sfp_add(sfp_add(sfp_add(e_1, e_2), e_3), e_4), e_5);
-    const sf_pair tau = sfp_add(sfp_add(sfp_add(sfp_add(sfp_times(32.0, sfp_square(e_5)), sfp_times(2.0, t2)),
-        sfp_times(4.0, t4)), sfp_times(8.0, t5)), sfp_times(16.0, t6));
-    const sf_pair P = sfp_mul(t8, sfp_add(e, tau));
-    const sf_pair B = sfp_mul(t7, sfp_add(sfp_neg(sfp_mul(m, tau)), sfp_point(1.0)));
-    const sf_pair C = sfp_times(2.0, sfp_mul(t7, tau));
-    const sf_pair t9 = sfp_times(2.0, beta);
-    const sf_pair t10 = sfp_mul(A, t9);
-    const sf_pair t11 = sfp_inverse(k);
-    const sf_pair t12 = sfp_mul(B, t11);
+    const sf_pair t2 = sfp_inverse(a_5);
+    const sf_pair e_5 = sfp_mul(sfp_mul(sfp_square(e_4), quarter), t2);
+    const sf_pair e = sfp_add(e_5, total);
+    const sf_pair tau = sfp_add(sfp_times(32.0, sfp_square(e_5)), sfp_times(16.0, squares));
+    const sf_pair P = sfp_mul(sfp_mul(m, t2), sfp_add(e, tau));
+    const sf_pair B = sfp_mul(t2, sfp_add(sfp_neg(sfp_mul(m, tau)), sfp_point(1.0)));
+    const sf_pair C = sfp_times(2.0, sfp_mul(t2, tau));
+    const sf_pair t3 = sfp_times(2.0, beta);
+    const sf_pair t4 = sfp_mul(A, t3);
+    const sf_pair t5 = sfp_inverse(k);
+    const sf_pair t6 = sfp_mul(B, t5);
     const sf_pair k2 = sfp_square(k);
-    const sf_pair t13 = sfp_inverse(k2);
+    const sf_pair t7 = sfp_inverse(k2);
     const sf_pair k3 = sfp_mul(k, k2);
-    out[0] = sfp_sub(sfp_neg(sfp_mul(A, alpha)), sfp_mul(P, t10));
-    out[1] = sfp_sub(sfp_neg(alpha), sfp_mul(t9, sfp_add(sfp_add(sfp_neg(sfp_mul(C, m)), P), sfp_mul(m, t12))));
-    out[2] = sfp_neg(sfp_mul(t10, sfp_add(sfp_times(2.0, sfp_mul(B, t13)), sfp_mul(C, t11))));
-    out[3] = sfp_neg(sfp_mul(t9, sfp_add(sfp_div(sfp_mul(B, sfp_add(sfp_times(5.0, m), sfp_point(3.0))), k3),
-        sfp_mul(sfp_mul(C, t13), sfp_sub(sfp_times(7.0, m), sfp_point(3.0))))));
+    out[0] = sfp_sub(sfp_neg(sfp_mul(A, alpha)), sfp_mul(P, t4));
+    out[1] = sfp_sub(sfp_neg(alpha), sfp_mul(t3, sfp_add(sfp_add(sfp_neg(sfp_mul(C, m)), P), sfp_mul(m, t6))));
+    out[2] = sfp_neg(sfp_mul(t4, sfp_add(sfp_times(2.0, sfp_mul(B, t7)), sfp_mul(C, t5))));
+    out[3] = sfp_neg(sfp_mul(t3, sfp_add(sfp_div(sfp_mul(B, sfp_add(sfp_times(5.0, m), sfp_point(3.0))), k3),
+        sfp_mul(sfp_mul(C, t7), sfp_sub(sfp_times(7.0, m), sfp_point(3.0))))));
     out[4] = sfp_times(4.0, sfp_mul(sfp_mul(sfp_mul(A, beta), m), sfp_add(sfp_neg(sfp_times(0.5, C)),
-        sfp_times(0.5, t12))));
+        sfp_times(0.5, t6))));
 }
 
 /* h, h_A, h_AA, h_AAA, h - A h_A together. Where A does not exceed the breakpoint.
@@ -112,66 +117,33 @@ static inline void rod_spring_untruncated_pairs_attached_steep(sf_pair A, const 
     const sf_pair a_1 = sfp_add(sfp_times(0.5, k_c), sfp_point(0.5));
     const sf_pair b_1 = sfp_sqrt(k_c);
     const sf_pair e_1 = sfp_div(sfp_point(0.25), a_1);
-    const sf_pair a_2 = sfp_add(sfp_times(0.5, a_1), sfp_times(0.5, b_1));
-    const sf_pair b_2 = sfp_mul(sfp_sqrt(a_1), sfp_sqrt(b_1));
-    const sf_pair t2 = sfp_square(e_1);
-    const sf_pair t3 = sfp_times(0.25, m);
-    const sf_pair e_2 = sfp_div(sfp_mul(t2, t3), a_2);
-    const sf_pair a_3 = sfp_add(sfp_times(0.5, a_2), sfp_times(0.5, b_2));
-    const sf_pair b_3 = sfp_mul(sfp_sqrt(a_2), sfp_sqrt(b_2));
-    const sf_pair t4 = sfp_square(e_2);
-    const sf_pair e_3 = sfp_div(sfp_mul(t3, t4), a_3);
-    const sf_pair a_4 = sfp_add(sfp_times(0.5, a_3), sfp_times(0.5, b_3));
-    const sf_pair b_4 = sfp_mul(sfp_sqrt(a_3), sfp_sqrt(b_3));
-    const sf_pair t5 = sfp_square(e_3);
-    const sf_pair e_4 = sfp_div(sfp_mul(t3, t5), a_4);
-    const sf_pair a_5 = sfp_add(sfp_times(0.5, a_4), sfp_times(0.5, b_4));
-    const sf_pair b_5 = sfp_mul(sfp_sqrt(a_4), sfp_sqrt(b_4));
-    const sf_pair t6 = sfp_square(e_4);
-    const sf_pair e_5 = sfp_div(sfp_mul(t3, t6), a_5);
-    const sf_pair a_6 = sfp_add(sfp_times(0.5, a_5), sfp_times(0.5, b_5));
-    const sf_pair b_6 = sfp_mul(sfp_sqrt(a_5), sfp_sqrt(b_5));
-    const sf_pair t7 = sfp_square(e_5);
-    const sf_pair e_6 = sfp_div(sfp_mul(t3, t7), a_6);
-    const sf_pair a_7 = sfp_add(sfp_times(0.5, a_6), sfp_times(0.5, b_6));
-    const sf_pair b_7 = sfp_mul(sfp_sqrt(a_6), sfp_sqrt(b_6));
-    const sf_pair t8 = sfp_square(e_6);
-    const sf_pair e_7 = sfp_div(sfp_mul(t3, t8), a_7);
-    const sf_pair a_8 = sfp_add(sfp_times(0.5, a_7), sfp_times(0.5, b_7));
-    const sf_pair b_8 = sfp_mul(sfp_sqrt(a_7), sfp_sqrt(b_7));
-    const sf_pair t9 = sfp_square(e_7);
-    const sf_pair e_8 = sfp_div(sfp_mul(t3, t9), a_8);
-    const sf_pair a_9 = sfp_add(sfp_times(0.5, a_8), sfp_times(0.5, b_8));
-    const sf_pair b_9 = sfp_mul(sfp_sqrt(a_8), sfp_sqrt(b_8));
-    const sf_pair t10 = sfp_square(e_8);
-    const sf_pair e_9 = sfp_div(sfp_mul(t10, t3), a_9);
+    const sf_pair square = sfp_square(e_1);
+    const sf_pair quarter = sfp_times(0.25, m);
+    sf_pair means[] = {a_1, b_1, e_1, e_1, square};
+    rod_spring_untruncated_pairs_means(quarter, 8, means);
+    const sf_pair a_9 = means[0], b_9 = means[1], e_9 = means[2], total = means[3], squares = means[4];
     const sf_pair a_10 = sfp_add(sfp_times(0.5, a_9), sfp_times(0.5, b_9));
-    const sf_pair t11 = sfp_square(e_9);
-    const sf_pair t12 = sfp_inverse(a_10);
-    const sf_pair t13 = sfp_mul(m, t12);
-    const sf_pair e_10 = sfp_times(0.25, sfp_mul(t11, t13));
-    const sf_pair e = sfp_add(sfp_add(sfp_add(sfp_add(sfp_add(sfp_add(sfp_add(sfp_add(sfp_add(e_1, e_10), e_2), e_3),
-        e_4), e_5), e_6), e_7), e_8), e_9);
-    const sf_pair tau = sfp_add(sfp_add(sfp_add(sfp_add(sfp_add(sfp_add(sfp_add(sfp_add(sfp_add(sfp_times(1024.0,
-        sfp_square(e_10)), sfp_times(256.0, t10)), sfp_times(512.0, t11)), sfp_times(2.0, t2)), sfp_times(4.0, t4)),
-        sfp_times(8.0, t5)), sfp_times(16.0, t6)), sfp_times(32.0, t7)), sfp_times(64.0, t8)), sfp_times(128.0, t9));
-    const sf_pair P = sfp_mul(t13, sfp_add(e, tau));
-    const sf_pair B = sfp_mul(t12, sfp_add(sfp_neg(sfp_mul(m, tau)), sfp_point(1.0)));
-    const sf_pair C = sfp_times(2.0, sfp_mul(t12, tau));
-    const sf_pair t14 = sfp_times(2.0, beta);
-    const sf_pair t15 = sfp_mul(A, t14);
-    const sf_pair t16 = sfp_inverse(k);
-    const sf_pair t17 = sfp_mul(B, t16);
+    const sf_pair t2 = sfp_inverse(a_10);
+    const sf_pair e_10 = sfp_mul(sfp_mul(sfp_square(e_9), quarter), t2);
+    const sf_pair e = sfp_add(e_10, total);
+    const sf_pair tau = sfp_add(sfp_times(1024.0, sfp_square(e_10)), sfp_times(512.0, squares));
+    const sf_pair P = sfp_mul(sfp_mul(m, t2), sfp_add(e, tau));
+    const sf_pair B = sfp_mul(t2, sfp_add(sfp_neg(sfp_mul(m, tau)), sfp_point(1.0)));
+    const sf_pair C = sfp_times(2.0, sfp_mul(t2, tau));
+    const sf_pair t3 = sfp_times(2.0, beta);
+    const sf_pair t4 = sfp_mul(A, t3);
+    const sf_pair t5 = sfp_inverse(k);
+    const sf_pair t6 = sfp_mul(B, t5);
     const sf_pair k2 = sfp_square(k);
-    const sf_pair t18 = sfp_inverse(k2);
+    const sf_pair t7 = sfp_inverse(k2);
     const sf_pair k3 = sfp_mul(k, k2);
-    out[0] = sfp_sub(sfp_neg(sfp_mul(A, alpha)), sfp_mul(P, t15));
-    out[1] = sfp_sub(sfp_neg(alpha), sfp_mul(t14, sfp_add(sfp_add(sfp_neg(sfp_mul(C, m)), P), sfp_mul(m, t17))));
-    out[2] = sfp_neg(sfp_mul(t15, sfp_add(sfp_times(2.0, sfp_mul(B, t18)), sfp_mul(C, t16))));
-    out[3] = sfp_neg(sfp_mul(t14, sfp_add(sfp_div(sfp_mul(B, sfp_add(sfp_times(5.0, m), sfp_point(3.0))), k3),
-        sfp_mul(sfp_mul(C, t18), sfp_sub(sfp_times(7.0, m), sfp_point(3.0))))));
+    out[0] = sfp_sub(sfp_neg(sfp_mul(A, alpha)), sfp_mul(P, t4));
+    out[1] = sfp_sub(sfp_neg(alpha), sfp_mul(t3, sfp_add(sfp_add(sfp_neg(sfp_mul(C, m)), P), sfp_mul(m, t6))));
+    out[2] = sfp_neg(sfp_mul(t4, sfp_add(sfp_times(2.0, sfp_mul(B, t7)), sfp_mul(C, t5))));
+    out[3] = sfp_neg(sfp_mul(t3, sfp_add(sfp_div(sfp_mul(B, sfp_add(sfp_times(5.0, m), sfp_point(3.0))), k3),
+        sfp_mul(sfp_mul(C, t7), sfp_sub(sfp_times(7.0, m), sfp_point(3.0))))));
     out[4] = sfp_times(4.0, sfp_mul(sfp_mul(sfp_mul(A, beta), m), sfp_add(sfp_neg(sfp_times(0.5, C)),
-        sfp_times(0.5, t17))));
+        sfp_times(0.5, t6))));
 }
 
 /* The same where it does, from the parts.

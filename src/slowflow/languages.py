@@ -264,6 +264,8 @@ class _Writer(ast.NodeTransformer):
                     f"@(varargin) {self.name}.{ast.unparse(one).lstrip('_')}(varargin{{:}})" for one in bodies
                 ]
                 return []
+            case ast.Assign([ast.Tuple(names)], ast.Tuple(values)):
+                return [f"{_assigned(map(self.text, names))}deal({', '.join(map(self.text, values))});"]
             case ast.Assign([ast.Tuple(names)], value):
                 return [f"{_assigned(map(self.text, names))}{self.text(value)};"]
             case ast.Assign([ast.Name(name)], ast.Call(ast.Name(called)) as value) if self.counts.get(called, 1) > 1:
@@ -275,6 +277,9 @@ class _Writer(ast.NodeTransformer):
                 each = [f"    {self.text(name)} = row({k});" for k, name in enumerate(names, start=1)]
                 inner = [f"    {line}" for one in body for line in self.statement(one, outputs, taken)]
                 return [f"for row = {self.name}.{ast.unparse(table)[1:]}().'", *each, *inner, "end"]
+            case ast.For(ast.Name("_"), ast.Call(ast.Name("range"), [ast.Name(count)]), body):
+                inner = [f"    {line}" for one in body for line in self.statement(one, outputs, taken)]
+                return [f"for turn = 1:{count}", *inner, "end"]
             case ast.Return(ast.Tuple(values)):
                 return [f"{name} = {self.text(value)};" for name, value in zip(outputs, values, strict=True)]
             case ast.Return(ast.Subscript(ast.Call() as value, ast.Constant(int(k)))):

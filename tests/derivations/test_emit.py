@@ -23,7 +23,7 @@ from derivations.codegen.targets.c.printer import CPrinter
 from derivations.codegen.targets.numpy.printer import NumpyPrinter
 from derivations.codegen.targets.printing import Unprintable, literal
 from derivations.codegen.views import printed
-from derivations.forces.repeated import Output, Repeated
+from derivations.forces.repeated import TURNS, Output, Repeated
 from derivations.kernels import Branch, Kernel
 from derivations.paper.averaging import averaged
 from derivations.paper.slow_flow import slow_flow
@@ -283,7 +283,10 @@ def evaluated(lets, outputs, at):
         if isinstance(expression, Output):
             one = expression.repeated
             arguments = dict(zip(one.arguments, map(value_of, expression.args), strict=True))
-            return evaluated(one.lets, [value for _, value in one.outputs], arguments)[expression.number]
+            for _ in range(int(arguments.get(TURNS, 1))):
+                found = evaluated(one.lets, [value for _, value in one.outputs], arguments)
+                arguments.update(zip(one.state, found, strict=False))
+            return found[expression.number]
         return EVALUATED[expression.func](*map(value_of, expression.args))
 
     needed = set().union(*(output.free_symbols for output in outputs))
@@ -321,6 +324,18 @@ def test_what_is_repeated_is_a_call_that_stands_for_its_lets():
     assert program.operations == 2 * 3 + 1
     # of 5 and 3: -3 and -5; of -5 and 7: -7 and 5
     assert evaluated(program.lets, program.outputs, {x: mpf(5), y: mpf(7)}) == [-3 + 5, -7]
+
+
+def test_a_loop_goes_on_from_what_its_last_turn_gave():
+    """Of Fibonacci's numbers: an addition a turn, and one after."""
+    a, b = sp.symbols("a b", real=True)
+    following = (sp.Symbol("next_z"), w), (sp.Symbol("next_w"), z + w)
+    step = Repeated("fibonacci", "Two numbers in a row.", (z, w, TURNS), (), following)
+    program = straight_line(step.at((x, y, sp.Integer(10)), (a, b)), [a + b], (x, y))
+    assert program.operations == 10 + 1
+    assert evaluated(program.lets, program.outputs, {x: mpf(0), y: mpf(1)}) == [144]
+    (line,) = printed(program.lets, PRINTER)
+    assert (line.name, line.function, line.state, line.value) == ("a, b", "fibonacci", ("x", "y"), "10")
 
 
 def test_what_kernels_have_in_common_is_one_function():

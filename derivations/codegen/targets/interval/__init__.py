@@ -21,7 +21,7 @@ import sympy as sp
 from ....symbols import A
 from ...form import Branch, Kernel, Module
 from ...passes import Program
-from ...views import BranchView, Code, KernelView, heading, templates, view
+from ...views import BranchView, Code, KernelView, RepeatedView, heading, repeated_views, templates, view
 from ..printing import literal
 from .printer import CEnclosurePrinter, CIntervalPrinter, PythonIntervalPrinter
 
@@ -59,9 +59,11 @@ def files(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
             kernels = [view(kernel, code[module.name][kernel.name], ENCLOSED) for kernel in module.enclosed.kernels]
             result[f"native/{name}.h"] = header_of(module, name, kernels, {}, **{**ABOUT, "arithmetic": "elementary"})
         if enclosed:
-            kernels = [widened(kernel, code[module.name][kernel.name]) for kernel in enclosed]
+            of_module = {kernel.name: code[module.name][kernel.name] for kernel in enclosed}
+            kernels = [widened(kernel, of_module[kernel.name]) for kernel in enclosed]
             choices = {kernel.name: choice(kernel) for kernel in enclosed if len(kernel.branches) > 1}
-            result[f"native/{name}.h"] = header_of(module, name, kernels, choices, **ABOUT)
+            repeated = repeated_views(of_module, C)
+            result[f"native/{name}.h"] = header_of(module, name, kernels, choices, repeated, **ABOUT)
         searched = [kernel for kernel in (*module.kernels, *module.cells) if kernel.searched]
         if searched:
             kernels = [view(kernel, code[module.name][kernel.name], PYTHON) for kernel in searched]
@@ -74,12 +76,13 @@ def header_of(
     name: str,
     kernels: Sequence[KernelView],
     choices: Mapping[str, Sequence[tuple[str, str]]],
+    repeated: Sequence[RepeatedView] = (),
     **about: str,
 ) -> str:
     """A header of kernels on numbers of one kind, whose names begin with `name`."""
     template = templates(Path(__file__).parent).get_template("header.h.jinja")
     known = {"module": module, "heading": heading(module), "in_doubles": in_doubles(module), **about}
-    return template.render(prefix=name, kernels=kernels, choices=choices, **known)
+    return template.render(prefix=name, kernels=kernels, choices=choices, repeated=repeated, **known)
 
 
 def module_of(module: Module, kernels: Sequence[KernelView], imports: Sequence[str], **about: str) -> str:

@@ -21,7 +21,7 @@ from ....symbols import A
 from ...arctangent import PAIRS_CUT, in_pairs
 from ...form import Kernel, Module
 from ...passes import Program
-from ...views import BranchView, Code, KernelView, Line, templates, view, wrapped
+from ...views import BranchView, Code, KernelView, Line, repeated_views, templates, view, wrapped
 from .. import interval
 from ..c.printer import CPrinter
 from ..printing import literal
@@ -55,7 +55,8 @@ def headers(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
             kernels = [near(kernel, code[module.name]) for kernel in paired]
             choices = {one.kernel.name: choice(one) for one in kernels if len(one.branches) > 1}
             name = name_of(module)
-            result[f"native/{name}.h"] = interval.header_of(module, name, kernels, choices, **ABOUT)
+            repeated = repeated_views({kernel.name: code[module.name][kernel.name] for kernel in paired}, C)
+            result[f"native/{name}.h"] = interval.header_of(module, name, kernels, choices, repeated, **ABOUT)
     return result
 
 
