@@ -157,6 +157,14 @@ def test_a_wrong_unit_is_refused_before_any_file(data, named, message, tmp_path)
     assert not (tmp_path / "map.zarr").exists()
 
 
+def test_other_coordinates_of_one_axis_are_named():
+    """Numbers in mm along an axis of their own name have their coordinate in m."""
+    preload = xarray.DataArray([6.0, 8.0], dims="L", coords={"L": [75.0, 80.0]}, attrs={"units": "mm"})
+    message = r"L and preload have different coordinates along the axis L: \[0.075 0.08 \] and \[75. 80.\]"
+    with pytest.raises(ValueError, match=message):
+        Isolator.physical(**SHEET).many(L=axis("L", [75.0, 80.0], units="mm"), preload=preload)
+
+
 def test_base_excitation_takes_displacement_or_acceleration():
     mount = Isolator.physical(**SHEET, excitation="base")
     found = over(mount).peak(a=0.8)

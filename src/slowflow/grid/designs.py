@@ -184,8 +184,7 @@ class Grid(Unchanging, ManyQuestions["xarray.Dataset", Any]):
         plain = {name: value for name, value in arguments.items() if name not in axes}
         values = labelled({**self._parameters, **plain}) if plain else dict(self.values)
         values |= {name: tabled(name, arguments[name], axis) for name, axis in axes.items() if name in arguments}
-        aligned = optional("xarray", "a grid", "grid").align(*values.values(), join="exact", copy=False)
-        return dict(zip(values, aligned, strict=True))
+        return _aligned(values)
 
     def _answer(self, ask: Ask, values: dict[str, Any]) -> Any:
         xarray = optional("xarray", "a grid", "grid")
@@ -232,12 +231,24 @@ def labelled(values: Mapping[str, Any]) -> dict[str, Any]:
         found = _by_position(xarray, found)
     if not all(isinstance(dim, str) for value in found.values() for dim in value.dims):
         raise Refused("the names of axes must be strings")
-    aligned = xarray.align(*found.values(), join="exact", copy=False)
-    found = {name: _parameter(name, value) for name, value in zip(found, aligned, strict=True)}
+    found = {name: _parameter(name, value) for name, value in _aligned(found).items()}
     own = [name for name in found if name in sizes(found) and found[name].dims != (name,)]
     if own:
         raise Refused(f"an axis is named {own[0]}, but {own[0]} itself has other axes: rename the axis")
     return found
+
+
+def _aligned(values: Mapping[str, Any]) -> dict[str, Any]:
+    """DataArrays as they are. Raises ValueError for an axis that is not the same in two of them."""
+    axes: dict[str, tuple[str, Any]] = {}
+    for name, value in values.items():
+        for dim, own in value.indexes.items():
+            first, known = axes.setdefault(dim, (name, own))
+            if not known.equals(own):
+                both = f"{known.to_numpy()} and {own.to_numpy()}"
+                raise Refused(f"{first} and {name} have different coordinates along the axis {dim}: {both}")
+    aligned = optional("xarray", "a grid", "grid").align(*values.values(), join="exact", copy=False)
+    return dict(zip(values, aligned, strict=True))
 
 
 def tabled(name: str, value: Any, axis: str) -> Any:
