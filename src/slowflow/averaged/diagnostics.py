@@ -35,8 +35,10 @@ NEAR_STICKING_BELOW = text(
 MESSAGES: Mapping[Remark, str | Sentence] = {
     Remark.BEYOND_REACH: Sentence("amplitudes above {reach:g} are not reached: {reason:s}"),
     Remark.NEGATIVE_STIFFNESS: text("negative stiffness at rest: {u} = 0 is not a stable equilibrium"),
-    Remark.LEAVES_CENTRE: "motions that leave the centre: the stiffness over their cycle does not restore the mean "
-    "displacement; .off_centre has those with another mean",
+    Remark.LEAVES_CENTRE: text(
+        "motions that leave the centre: the stiffness over their cycle does not restore the mean displacement; "
+        "{.off_centre|.oscillator.off_centre} has those with another mean"
+    ),
     Remark.HELD_AT_REST: Sentence(
         "a mass at rest stays there, whatever the frequency, up to {F_0} = {held:g}: {holds:s} it"
     ),

@@ -286,7 +286,7 @@ class Designs(Unchanging, ManyQuestions[Batch, Reals]):
     rest = Unanswered(
         text(
             "rest is not available for many designs without a load: the equilibrium is {u} = 0; for a double well "
-            "use .off_centre"
+            "use {.off_centre|.oscillator.off_centre} of a single one"
         )
     )
 
