@@ -198,7 +198,7 @@ def mechanism(
     BuildFailed
         If the compiler fails, with its output, or if slowflow itself is not compiled.
     """
-    furthest = () if reach is None else (reach, reach_reason)
+    furthest = () if reach is None else (reach, reach_reason or "the force is valid up to there only")
     inputs = _derivation("slowflow.derivation.given")
     functions = [_is_function(force) for force, _ in inputs.pieces(pieces)]
     if any(functions):

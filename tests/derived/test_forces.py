@@ -326,6 +326,38 @@ def test_a_response_is_cut_at_the_reach():
     assert one.peak(0.05).A < 3.1
 
 
+@pytest.mark.parametrize("excitation", ["base", "unbalance"])
+def test_a_base_response_below_the_reach_closes(excitation):
+    """Of a linear spring of one's own, whose peak Y/(2 zeta sqrt(1 - zeta^2)) has a closed form."""
+    zeta, Y = 0.04, 0.12
+    A = Y / (2 * zeta * np.sqrt(1 - zeta**2))
+    for fraction in (0.5, 0.95, 1.05):
+        spring = derive.mechanism(f"linear_{round(100 * fraction)}", [(lambda u: u, None)], {}, reach=A / fraction)
+        one = spring(zeta=zeta, excitation=excitation)
+        closes = fraction < 1
+        assert one.closes(Y) == closes and ("cut at" in one.peak(Y).message) != closes
+        assert one.peak(Y).A == (pytest.approx(A, rel=1e-9) if closes else None)
+        # from sqrt(2) times its natural frequency on a linear spring transmits less
+        assert one.isolation(Y).Omega == pytest.approx(np.sqrt(2), rel=1e-9)
+        assert ("cut at" in one.isolation(Y).message) != closes
+        many = spring.many(zeta=[zeta], excitation=excitation)
+        assert many.isolation(Y).Omega[0] == one.isolation(Y).Omega
+
+
+def test_folds_beyond_the_reach_are_said_to_be_cut():
+    """The lower fold of this hardening spring is at A = 0.589."""
+    below, above = (
+        derive.mechanism(f"hardens_{round(10 * reach)}", [(lambda u: u + u**3, None)], {}, reach=reach)
+        for reach in (0.5, 1.5)
+    )
+    expected = Duffing(1.0, 1.0, zeta=0.04).saddle_nodes(0.3)
+    for spring, known in ((below, 0), (above, 1)):
+        found = spring(zeta=0.04).saddle_nodes(0.3)
+        np.testing.assert_allclose(found.A, expected.A[:known], rtol=1e-9)
+        assert "cut at A" in found.message and found.remarks == Remark.CUT
+        assert spring.many(zeta=[0.04]).saddle_nodes(0.3).remarks == [Remark.CUT]
+
+
 @pytest.mark.parametrize("compiled", [False, *slow(True)])
 def test_it_is_told_whether_the_response_to_a_force_closes(compiled):
     """A force that gives way: the response closes where a peak ends it below the reach, and not where none does."""

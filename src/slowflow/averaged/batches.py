@@ -232,7 +232,9 @@ class Batch(Answer, OfDesigns):
         """Whether what lies beyond a cut would be part of the answer."""
         if self.question.name != "saddle_nodes":
             return True
-        return (self.count > 0) | (self.undecided != 0) | (self._designs.excitation != "force")
+        designs = self._designs
+        leaves_out = designs.excitation != "force" or designs.mechanism.enclosed is not None
+        return (self.count > 0) | (self.undecided != 0) | leaves_out
 
     def gradient(self) -> Gradient:
         """Differentiate the numbers of each design's answer with respect to the parameters, as for a single answer.

@@ -344,7 +344,7 @@ def isolation(oscillator: Any, F_0: float, level_dB: float = 0.0) -> Isolation:
     """See `ComposedQuestions.isolation`: `isolated` of one response curve, with its message."""
     F_0, level, model = validate.number("F_0", F_0, above=0.0), as_level(level_dB), oscillator.model
     made = partial(Isolation, level_dB=level.dB, _model=model, _equation=oscillator._equation)
-    if model.inertial and not oscillator.closes(F_0):
+    if model.inertial and not (oscillator.closes(F_0) or solvers.is_cut(model, F_0)):
         return made(None, None, False, F_0, NEVER.format(str(level)), Remark(0))
     if not model.sticks(F_0) and (why := passes_on(model, oscillator.transmissibility_floor(F_0), level)):
         return made(None, None, False, F_0, why, Remark(0))
@@ -363,8 +363,8 @@ def _highest(oscillator: Any, F_0: float, level: Level = WHOLE) -> float:
     peak = (
         found.A if not found._escapes else solvers.peak(oscillator.model, F_0).A
     )  # the whole curve, beyond the well as well
-    if oscillator.model.inertial:  # without a peak no amplitude exceeds F_0
-        peak = F_0 if peak is None else peak
+    if oscillator.model.inertial and peak is None and oscillator.closes(F_0):  # no amplitude exceeds F_0
+        peak = F_0
     A_max = peak if peak is not None else oscillator.model.reach
     if not math.isfinite(A_max):
         A_max = messages.cut(oscillator.model, F_0)[0]

@@ -150,11 +150,12 @@ def of_folds(model: Model, F_0: float, any_folds: bool, cut: str) -> tuple[str |
     """The message of folds, or what makes it, and what it has of where the response is cut, `cut`, in words or empty.
 
     any_folds -- whether there are folds, or may be. Without any, cutting an undamped response leaves none out: it ends
-        where what is beyond has no fold
+        where what is beyond has no fold, unless the force ends there
     """
     if model.sticks(F_0):
         return partial(sticks, model, F_0), ""
-    leaves_out = model.inertial or (model.zeta > 0 and model.spring == "levels off")
+    ends = model.mechanism.enclosed is not None  # at its reach
+    leaves_out = model.inertial or ends or (model.zeta > 0 and model.spring == "levels off")
     kept = cut if any_folds or leaves_out else ""
     return kept if any_folds or kept else partial(NO_FOLD.format, F_0), kept
 

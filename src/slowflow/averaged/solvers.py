@@ -68,7 +68,7 @@ def remark_of(model: Model, F_0: float, lowest: float = 0.0) -> str:
     if goes:
         why = "no spring holds the mass" if model.spring == "none" else messages.LEVELS_OFF
         return messages.CUT_TOWARDS_REST.format(why, float(STATIC_MULTIPLE * max(F_0, *model.breakpoints, 0.0)))
-    if model.inertial:
+    if model.inertial and A_max != model.reach:
         return messages.NOT_CLOSED.format(A_max)
     reason = model.mechanism.reach_reason
     return messages.CUT_AT_REACH.format(model.reach, f", {reason}" if reason else "")
@@ -95,6 +95,12 @@ def are_events_close(model: Model, F_0: float) -> bool:
 def closes(model: Model, F_0: float) -> bool:
     """Whether the response at F_0 > m is known to have a highest amplitude, for zeta > 0 or other laws of damping."""
     return bool(backend.SOLVER.amplitude_bound(model.native, F_0)[0] == Status.OK)
+
+
+def is_cut(model: Model, F_0: float) -> bool:
+    """Whether the response at F_0 > m is followed up to the reach of the force only."""
+    status, A_max = backend.SOLVER.amplitude_bound(model.native, F_0)
+    return bool(status == Status.UNBOUNDED and A_max == model.reach)
 
 
 def folds(model: Model, F_0: float) -> SaddleNodes:

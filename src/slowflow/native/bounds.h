@@ -235,13 +235,13 @@ static sf_status sf_amplitude_bound(const sf_model *model, double F_0, double *A
     if (bent && inertial && !(bound < HUGE_VAL))
         bound = sf_bent_by_inertia(model, F_0);
     *A_max = cut;
-    if (bound < HUGE_VAL && !(bent && !inertial && model->reach < bound)) {
+    if (bound < HUGE_VAL && !(bent && model->reach < bound)) {
         *A_max = bound;
+    } else if (model->reach < HUGE_VAL) { /* a response that goes on beyond the reach has a state there */
+        const sf_sample at = sf_sample_at(model, model->reach);
+        status = sf_count_at(model, &at, F_0) > 0 ? SF_UNBOUNDED : SF_OK;
     } else if (inertial) {
         status = model->zeta_2 > 0 ? SF_NO_BOUND : SF_UNBOUNDED; /* that zeta grows bounds it, or may */
-    } else if ((bent || laws) && cut < HUGE_VAL) {
-        const sf_sample at = sf_sample_at(model, cut);
-        status = sf_count_at(model, &at, F_0) > 0 ? SF_UNBOUNDED : SF_OK;
     } else {
         status = SF_NO_BOUND;
     }
