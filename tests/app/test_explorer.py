@@ -11,7 +11,6 @@ import importlib
 import importlib.util
 import io
 import re
-import shutil
 import subprocess
 import sys
 from collections.abc import Iterator
@@ -26,7 +25,6 @@ from slowflow import Duffing, Isolator, Remark, derive, example
 from slowflow.oscillators.oscillator import Oscillator
 from slowflow_kernels.table_1 import TABLE_1
 
-CHROMIUM = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
 ASK = """([name, numbers, F_0, excitation]) => {
   const { solvers } = explorer.app, plain = (one) => Object.fromEntries(Object.entries(one).map(
     ([key, value]) => [key, ArrayBuffer.isView(value) ? Array.from(value) : value]));
@@ -64,19 +62,6 @@ def cases() -> list[tuple[Oscillator, float]]:
         (Duffing(alpha=1.0, beta=0.3, mu=0.02, zeta=0.05, excitation="base"), 0.1),
         (example.isolator(force="untruncated", mu=0.0, zeta=0.01, excitation="unbalance"), 0.3),
     ]
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Any]:
-    """Chromium, once for all tests of a process."""
-    if CHROMIUM is None or importlib.util.find_spec("playwright") is None:
-        pytest.skip("no Chromium or no Playwright (slowflow[browser]) here: the explorer is not tried in a browser")
-    from playwright.sync_api import sync_playwright
-
-    with sync_playwright() as playwright:
-        opened = playwright.chromium.launch(executable_path=CHROMIUM, args=["--no-sandbox"])
-        yield opened
-        opened.close()
 
 
 @contextlib.contextmanager

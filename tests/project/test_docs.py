@@ -4,13 +4,11 @@ from __future__ import annotations
 
 import ast
 import functools
-import importlib.util
 import inspect
 import json
 import math
 import re
 import runpy
-import shutil
 import tomllib
 from importlib import import_module
 from pathlib import Path
@@ -392,22 +390,14 @@ def test_fields_of_a_named_tuple_are_not_said_by_their_number() -> None:
 
 
 @pytest.mark.slow
-def test_letters_of_the_site_have_subscripts_but_not_in_code() -> None:
-    """In a browser, where a developer has one: Chromium by Playwright."""
-    chromium = shutil.which("chromium") or shutil.which("google-chrome")
-    if chromium is None or importlib.util.find_spec("playwright") is None:
-        pytest.skip("chromium, or playwright, is not there")
-    from playwright.sync_api import sync_playwright
-
+def test_letters_of_the_site_have_subscripts_but_not_in_code(browser: Any) -> None:
     script = (ROOT / "docs" / "site" / "static" / "site.js").read_text(encoding="utf-8")
     sentence = "k_v L, u_cr and Delta_h, F_SN; saddle_nodes, x_1y, iso.F_0, <code>F_0</code>"
     page = f"<title>Search - slowflow</title><article><p>{sentence}</p></article><script>{script}</script>"
-    with sync_playwright() as playwright:
-        opened = playwright.chromium.launch(executable_path=chromium, args=["--no-sandbox"])
-        tab = opened.new_page()
-        tab.set_content(page)
-        shown, title = tab.inner_html("p"), tab.inner_text("h1")
-        opened.close()
+    tab = browser.new_page()
+    tab.set_content(page)
+    shown, title = tab.inner_html("p"), tab.inner_text("h1")
+    tab.close()
     set_ = "k<sub>v</sub> L, u<sub>cr</sub> and Δ<sub>h</sub>, F<sub>SN</sub>"
     assert shown == f"{set_}; saddle_nodes, x_1y, iso.F_0, <code>F_0</code>"
     assert title == "Search"
