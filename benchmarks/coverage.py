@@ -6,7 +6,7 @@ Isolators about that of the paper, each number times up to exp(0.3) or over it, 
 peak, with normal noise that is the same at all points: 1 % of the largest amplitude below the onset, 2 % above it,
 where the mass follows the upper branch up to its end. A fit begins as far from the truth. Two numbers of `OTHERS` are
 fitted, with structural damping, friction while attached, or under a load, in a quarter as many fits. By hand: it takes
-half an hour.
+an hour.
 """
 
 from __future__ import annotations
