@@ -158,3 +158,44 @@ def test_all_of_a_resonance_without_digits_of_R_is_stable(zeta):
     found = Duffing(1.0, 0.0, zeta=zeta).frequency_response(1e-2, samples=400, Omega=(0.5, 1.5))
     assert found.stable.all() and len(found) > 400
     assert found.A.max() == pytest.approx(1e-2 / (2 * zeta), rel=1e-6)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("excitation", ["force", "base"])
+@pytest.mark.parametrize("law", ["eta", "c_2", "zeta_2"])
+def test_cusps_and_folds_by_other_laws_have_their_digits(law, excitation):
+    """F_SN came from A Omega^2 + h, of which weak damping leaves little: it was off by up to 4,000 roundings."""
+
+    def squared(Omega, A):
+        """R^2 + I^2 (24)."""
+        R = A * Omega**2 - A - beta * A**3 * 3 / 4
+        viscous = zeta + of_law * A**2 / 4 if law == "zeta_2" else zeta
+        other = {"eta": A, "c_2": 8 * (A * Omega) ** 2 / (3 * mpmath.pi), "zeta_2": 0}[law]
+        return R**2 + (4 * mu / mpmath.pi + 2 * viscous * Omega * A + of_law * other) ** 2
+
+    def slope(Omega, A, order=1):
+        """F_A (30), or F_AA."""
+        return mpmath.diff(lambda at: squared(Omega, at), A, order)
+
+    def level(Omega, A):
+        return mpmath.sqrt(squared(Omega, A)) / (Omega**2 if excitation == "base" else 1)
+
+    rng, cusps = np.random.default_rng(5), 0
+    for powers in rng.uniform((-1, -4, -4, -4), (1.5, -1.3, -0.7, -0.5), (12, 4)):
+        numbers = dict(zip(("beta", "mu", "zeta", law), (10**powers).tolist(), strict=True))
+        mount = Duffing(1.0, excitation=excitation, **numbers)
+        onset = mount.saddle_node_onset()
+        if onset.kind != "cusp":
+            continue
+        F_0, cusps = 1.5 * onset.F_SN, cusps + 1
+        beta, mu, zeta, of_law = map(mpmath.mpf, numbers.values())
+        with mpmath.workdps(40):
+            at_fold = (lambda *at, F_0=F_0: level(*at) - F_0, slope)
+            for answer in (onset, *mount.saddle_nodes(F_0)):
+                system = (slope, lambda *at: slope(*at, 2)) if answer is onset else at_fold
+                exact = mpmath.findroot(system, (answer.Omega, answer.A), tol=1e-50)
+                found = [*zip((answer.Omega, answer.A), exact, strict=True)]
+                if answer is onset:
+                    found.append((onset.F_SN, level(*exact)))
+                assert all(abs(value - at) <= 32 * U * at for value, at in found)
+    assert cusps > 4

@@ -32,6 +32,16 @@ static inline int sf_has_laws(const sf_model *model) {
 #endif
 }
 
+/* Whether folds are looked for as points of amplitude and frequency (points.h): by other laws, or by inertia. */
+static inline int sf_is_searched(const sf_model *model) {
+#ifdef SF_WITHOUT_LAWS
+    (void)model;
+    return 0;
+#else
+    return model->by_laws || sf_inertial(model);
+#endif
+}
+
 /* mu, zeta, eta, c_2, c_3, zeta_2, and whether friction ends at the first breakpoint */
 static inline int sf_laws_damping_of(const double *inputs, double *damping) {
     for (int i = 0; i < 6; i++)

@@ -35,7 +35,7 @@ static void sf_ask_boxes(const sf_model *model, sf_question question, const sf_s
         found->status = search->found.status;
     for (int i = 0; i < search->found.n; i++) {
         const double A = search->found.at[i].A, w = search->found.at[i].Omega;
-        sf_zero zero = {A, w, 0, question, 0, 0};
+        sf_zero zero = {A, w, sf_level_at_point(search, &search->found.at[i]), question, 0, 0};
         const sf_sample at = sf_sample_at(model, A);
         const sf_law_terms of = sf_law_terms_at(model, A, number > 0);
         zero.channel = !(dissipation_F_AOmegaOmega(w, A, of.rest[0], of.rest[1], of.zeta[0], of.zeta[1], of.d, of.d_3,
@@ -358,13 +358,20 @@ static double sf_level_crossing(const sf_model *model, double F_0, const sf_arc 
     return fabs(f_a) < fabs(f_b) ? a : b;
 }
 
+static void sf_add_fold_by_inertia(const sf_model *model, double F_0, const sf_sample *at, double Omega, sf_folds *folds) {
+    Omega = sf_settled_Omega(model, F_0, at, Omega);
+    if (model->zeta > 0)
+        Omega = sf_sharp_Omega(model, F_0, at, Omega);
+    sf_add_fold(folds, Omega, at->A, sf_half_F_AA(model, at, Omega) < 0, 0);
+}
+
 /* The folds of an excitation by inertia inside of pieces: where the level passes F_0 along the arcs of the fold
  * locus. */
 static sf_status sf_locus_folds(const sf_model *model, double F_0, sf_work *work, sf_folds *folds) {
     const sf_status status = sf_fold_locus(model, work->A_max, 1, work);
     if (status != SF_OK)
         return status;
-    folds->undecided |= work->extrema.undecided;
+    folds->n = 0, folds->undecided = work->extrema.undecided, folds->status = SF_OK;
     for (int i = 0; i < work->locus.arcs; i++) {
         const sf_arc *arc = &work->locus.arc[i];
         double Omega;
@@ -375,10 +382,7 @@ static sf_status sf_locus_folds(const sf_model *model, double F_0, sf_work *work
             continue;
         const double A = sf_level_crossing(model, F_0, arc, low, high, &Omega);
         const sf_sample at = sf_sample_at(model, A);
-        Omega = sf_settled_Omega(model, F_0, &at, Omega);
-        if (model->zeta > 0)
-            Omega = sf_sharp_Omega(model, F_0, &at, Omega);
-        sf_add_fold(folds, Omega, A, sf_half_F_AA(model, &at, Omega) < 0, 0);
+        sf_add_fold_by_inertia(model, F_0, &at, Omega, folds);
     }
     return SF_OK;
 }
@@ -404,15 +408,19 @@ static sf_status sf_forced_folds(const sf_model *model, double F_0, sf_work *wor
     return SF_OK;
 }
 
-/* The folds by other laws of damping inside of pieces: points of a system (points.h). */
-static sf_status sf_law_folds(const sf_model *model, double F_0, sf_work *work, sf_folds *folds) {
+/* By other laws of damping, or of an excitation by inertia: points of a system (points.h). */
+static sf_status sf_searched_folds(const sf_model *model, double F_0, sf_work *work, sf_folds *folds) {
     const sf_law_points *found = &work->points.found;
     sf_stretches_up_to(model, work->A_max, &work->pieces);
     sf_search_pieces(model, SF_LAW_FOLDS, F_0, &work->pieces, &work->points);
     folds->undecided = found->undecided > 0;
     for (int i = 0; i < found->n; i++) {
         const sf_sample at = sf_sample_at(model, found->at[i].A);
-        sf_add_fold(folds, found->at[i].Omega, at.A, sf_law_F_AA(model, &at, found->at[i].Omega, sf_is_beyond(model, at.A)) < 0, 0);
+        if (sf_has_laws(model))
+            sf_add_fold(folds, found->at[i].Omega, at.A,
+                        sf_law_F_AA(model, &at, found->at[i].Omega, sf_is_beyond(model, at.A)) < 0, 0);
+        else
+            sf_add_fold_by_inertia(model, F_0, &at, found->at[i].Omega, folds);
     }
     return found->status;
 }
@@ -426,8 +434,12 @@ static sf_status sf_saddle_nodes(const sf_model *model, double F_0, sf_work *wor
     sf_status status = sf_range_at(model, F_0, &work->A_max);
     if (status != SF_OK && status != SF_UNBOUNDED)
         return status;
-    status = (sf_has_laws(model) ? sf_law_folds : sf_inertial(model) ? sf_locus_folds : sf_forced_folds)(model, F_0, work,
-                                                                                                         folds);
+    const int by_locus = sf_inertial(model) && !sf_has_laws(model);
+    status = sf_is_searched(model) ? sf_searched_folds(model, F_0, work, folds)
+             : by_locus            ? SF_UNRESOLVED
+                                   : sf_forced_folds(model, F_0, work, folds);
+    if (by_locus && (status != SF_OK || folds->undecided)) /* which takes several times as long */
+        status = sf_locus_folds(model, F_0, work, folds);
     if (status != SF_OK)
         return status;
     sf_corner_folds(model, F_0, work, folds);
@@ -457,7 +469,7 @@ static sf_extremum sf_extremum_at(const sf_model *model, const sf_zero *zero) {
     out.isola = zero->question == SF_ISOLA;
     out.few_digits = 0;
     if (sf_has_laws(model)) {
-        out.F_0 = sf_law_level(model, &at, out.Omega);
+        out.F_0 = zero->level;
         out.minimum = sf_is_law_minimum(model, zero->question, &at, out.Omega, &out.saddle);
         return out;
     }

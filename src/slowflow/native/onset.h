@@ -92,10 +92,9 @@ static sf_status sf_consider_points(const sf_model *model, sf_law_system system,
     sf_search_points(search, &of->first, &of->last);
     best->undecided |= search->found.undecided > 0;
     for (int i = 0; i < search->found.n; i++) {
-        const double Omega = search->found.at[i].Omega;
-        const sf_sample at = sf_sample_at(model, search->found.at[i].A);
-        sf_consider(sf_law_level(model, &at, Omega), Omega, at.A, system == SF_LAW_CUSPS ? SF_CUSP_KIND : SF_ISOLA_KIND,
-                    best);
+        const sf_law_point *point = &search->found.at[i];
+        sf_consider(sf_level_at_point(search, point), point->Omega, point->A,
+                    system == SF_LAW_CUSPS ? SF_CUSP_KIND : SF_ISOLA_KIND, best);
     }
     return search->found.status;
 }

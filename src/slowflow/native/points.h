@@ -16,6 +16,7 @@
 
 enum {
     SF_MOST_BOXES = 200000, /* looked at, after which the search is given up */
+    SF_FEW_BOXES = 500,     /* the same where there is another way */
     SF_NEWTON_STEPS = 40
 };
 /* of R, relatively: a box that is no wider is not cut any more */
@@ -178,7 +179,7 @@ static int sf_prove_point(const sf_law_search *search, const double f[6], sf_law
         off[i] = sf_times_row(inverse + 2 * i, at);
         extent[i] = SF_AROUND * sf_size_of(off[i]);
     }
-    extent[0] = sfi_most(extent[0], SF_AROUND_LEAST * point->A);
+    extent[0] = sfi_most(extent[0], sfi_least(SF_AROUND_LEAST * point->A, 0.25 * (point->A - search->base)));
     extent[1] = sfi_most(extent[1], SF_AROUND_LEAST * (fabs(point->u) + SF_CLOSE * point->size)); /* R may be 0 */
     if (!(point->A - extent[0] > search->base && extent[1] < HUGE_VAL))
         return 0;
@@ -237,18 +238,10 @@ static void sf_add_point(sf_law_points *found, const sf_law_point *point) {
         found->at[found->n++] = *point;
 }
 
-/* The last digits of a point that was found by R, where that is not all rounding of its terms: w from R has the roundings
- * of h besides. */
-static void sf_polish_point(const sf_law_search *search, sf_law_point *point) {
-    sf_law_point last = *point;
-    double f[6], A, w;
-    last.by_w = 1, last.u = search->far ? 1 / point->Omega : point->Omega;
-    const sf_sample at = sf_sample_at(search->model, last.A);
-    sf_functions_at(search, &at, &last, f);
-    const double determinant = f[2] * f[5] - f[3] * f[4];
-    A = last.A - (f[0] * f[5] - f[3] * f[1]) / determinant, w = last.u - (f[2] * f[1] - f[0] * f[4]) / determinant;
-    if (fabs(A - point->A) <= point->off_A && fabs(w - last.u) <= SF_CLOSE * last.u)
-        point->A = A, point->Omega = search->far ? 1 / w : w;
+/* The level at a point by R itself, of which A Omega^2 + h may leave little. */
+static double sf_level_at_point(const sf_law_search *search, const sf_law_point *point) {
+    const double w = point->Omega, R = search->far ? point->R * w * w : point->R;
+    return (sf_inertial(search->model) ? inertia_level : slow_flow_level)(w, 0, sf_law_I(search->model, point->A, w), 0, R);
 }
 
 static inline sf_interval *sf_second_unknown(sf_law_box *box) { return box->by_w ? &box->of.w : &box->of.R; }
@@ -274,8 +267,6 @@ static int sf_settle_point(sf_law_search *search, sf_law_box *box, double middle
         if (!sfi_has_sign(sf_determinant(slopes)))
             return 0;
     }
-    if (!point.by_w)
-        sf_polish_point(search, &point);
     sf_add_point(&search->found, &point);
     return 1;
 }
@@ -348,6 +339,7 @@ static int sf_is_in_doubt(const sf_law_points *found, double A) {
 /* All points of a system on a piece of the force from `first` to `last`. */
 static void sf_search_points(sf_law_search *search, const sf_sample *first, const sf_sample *last) {
     sf_law_points *found = &search->found;
+    const int most = sf_has_laws(search->model) ? SF_MOST_BOXES : SF_FEW_BOXES;
     int top = 0;
     search->end = last->A;
     if ((search->system == SF_LAW_TURNS && isinf(first->h_A)) ||
@@ -371,7 +363,7 @@ static void sf_search_points(sf_law_search *search, const sf_sample *first, cons
         int other;
         sf_interval *u;
         double at;
-        if (found->boxes++ > SF_MOST_BOXES || found->status != SF_OK) {
+        if (found->boxes++ > most || found->status != SF_OK) {
             found->status = SF_UNRESOLVED;
             return;
         }
