@@ -12,10 +12,10 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
-from scipy.interpolate import CubicHermiteSpline
 
 from slowflow.core.mechanism import Flags, Force, Ints
 from slowflow.core.model import Floats
+from slowflow.off_centre.complete import ABOVE, farthest_fold
 from slowflow.off_centre.flow import Flow, Slow
 from slowflow.off_centre.means import Steps
 from slowflow.off_centre.solution_sheets import FARTHEST, TOO_FAR
@@ -25,8 +25,6 @@ from slowflow_kernels.conventions import FoldKind
 
 #: octaves of amplitudes, at how many in each the mean is balanced, and how often F is looked at between two of these
 OCTAVES, NODES, FINE = 16, 4, 16
-#: of the size of the problem, the largest amplitude of folds
-FARTHEST_FOLD = 2.0**8
 #: samples of a force in each piece, and on each side of 0 in so many octaves
 SAMPLES, SMALLEST = 128, 24
 #: by how much the last step moves an amplitude, or a mean, at most; steps of Newton's method, and of one with ends
@@ -41,7 +39,7 @@ def states(steps: Steps, flow: Flow, Omega: Floats, F_0: Floats) -> Found | None
     force = flow.force(F_0, Omega)
     moving = np.flatnonzero(force > flow.m)
     Omega, F_0, force = Omega[moving], F_0[moving], force[moving]
-    sheet = _sheet(steps, flow, float(flow.bound(Omega, force).max(initial=flow.m)))
+    sheet = _sheet(steps, flow, float(flow.bound(Omega, force).max(initial=flow.m)), OCTAVES)
     if sheet is None:
         return None
     A, h, _, mean = sheet
@@ -57,8 +55,8 @@ def states(steps: Steps, flow: Flow, Omega: Floats, F_0: Floats) -> Found | None
 
 def folds(steps: Steps, flow: Flow, F_0: Floats) -> Found | None:
     """Folds at forcings (n,), by rising frequency; None where f may fall, or jumps, as some folds are on corners."""
-    largest = max(steps.size, float(F_0.max()), float(F_0.max()) / flow.zeta if flow.zeta else 0.0)
-    sheet = None if steps.gains[1:, 0].any() else _sheet(steps, flow, FARTHEST_FOLD * largest)
+    jumps = steps.gains[1:, 0].any()
+    sheet = None if jumps else _sheet(steps, flow, farthest_fold(steps, flow, float(F_0.max())), OCTAVES + ABOVE)
     if sheet is None:
         return None
     A, h, h_A, mean = sheet
@@ -67,7 +65,9 @@ def folds(steps: Steps, flow: Flow, F_0: Floats) -> Found | None:
     level = flow.level(Omega, A[:, np.newaxis], (h[:, np.newaxis],)).T
     row, near = _changes((level - F_0[:, np.newaxis, np.newaxis]).reshape(-1, A.size), A)
     of, root = np.divmod(row, len(level))
-    at = np.take_along_axis(Omega[np.searchsorted(A, near) - 1], root[:, np.newaxis], 1)[:, 0]
+    left = np.searchsorted(A, near) - 1
+    R = A[:, np.newaxis] * Omega**2 + h[:, np.newaxis]
+    R = R[left, root] + (R[left + 1, root] - R[left, root]) * (near - A[left]) / (A[left + 1] - A[left])
     m, zeta, eta, d = flow.damping
     known = *flow.forcing(F_0[of]), m, eta, zeta, d, steps.load
 
@@ -75,7 +75,7 @@ def folds(steps: Steps, flow: Flow, F_0: Floats) -> Found | None:
         means = steps.at(x[0], x[1], 2)
         return off_centre.fold(x[2], x[0], *known, *means.c, *means.s)
 
-    x, there = _solved(equations, np.stack((near, mean(near), near * at**2 + np.interp(near, A, h))))
+    x, there = _solved(equations, np.stack((near, mean(near), R)))
     (A, B, R), of = x[:, there], of[there]
     _, averages = steps.averaged(A, B)
     Omega = np.sqrt((R - averages[0]) / A)
@@ -85,18 +85,22 @@ def folds(steps: Steps, flow: Flow, F_0: Floats) -> Found | None:
     return of[order], {name: value[order] for name, value in columns.items()}
 
 
-def _sheet(steps: Steps, flow: Flow, A_max: float) -> tuple[Floats, Floats, Floats, Callable[[Floats], Floats]] | None:
+def _sheet(
+    steps: Steps, flow: Flow, A_max: float, octaves: int
+) -> tuple[Floats, Floats, Floats, Callable[[Floats], Floats]] | None:
     """Rising amplitudes from 0 on, h and h_A along the balance there, and the mean at any; None where f may fall.
 
     Raises ArithmeticError where nothing bounds the motions, ValueError where the force does not grow.
     """
+    from scipy.interpolate import CubicHermiteSpline  # only fits ask for this: it takes 80 ms to import
+
     A_max = min(A_max, steps.grown)
     if not A_max < FARTHEST:
         raise OutOfRange(TOO_FAR.format(A_max))
     bound = A_max + steps.settled
     if _may_fall(Force.of(flow.mechanism, flow.parameters), bound):
         return None
-    nodes = A_max * 2.0 ** np.linspace(-OCTAVES, 0.0, OCTAVES * NODES + 1)
+    nodes = A_max * 2.0 ** np.linspace(-octaves, 0.0, octaves * NODES + 1)
     B = _balanced(steps, nodes, bound)
     _, (h, h_A, *_) = steps.averaged(nodes, B)
     spline = CubicHermiteSpline(np.append(0.0, nodes), np.append(0.0, h), np.append(h[0] / nodes[0], h_A))

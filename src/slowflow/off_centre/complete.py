@@ -42,6 +42,18 @@ AT_CENTRE = 1e-12
 ENDLESS = "folds occur at ever lower forcings towards {Omega} = 0, or towards a turning point of the mean"
 
 
+def farthest_fold(steps: Steps, flow: Flow, F_0: float) -> float:
+    """Up to which amplitude folds at F_0 are looked for: 2^8 times what the problem is as large as.
+
+    A force that is no polynomial may be 2^24 times the load and 1 on both sides before: up to there, then.
+    """
+    if flow.zeta > 0 or F_0 == 0:
+        damped = F_0 / flow.zeta if F_0 > 0 else 0.0
+    else:
+        damped = 2 * float(replace(flow, mu=0.0).bound(1.0, F_0))
+    return min(2.0**ABOVE * max(steps.size, F_0, damped), steps.grown)
+
+
 class Complete:
     """Every state and every fold of an oscillator off the centre.
 
@@ -147,16 +159,8 @@ class Complete:
                 raise NotSettled("a lower fold exists, but the search does not reach it")
 
     def A_max(self, F_0: float) -> float:
-        """Up to which amplitude folds at F_0 are looked for: 2^8 times what the problem is as large as.
-
-        A force that is no polynomial may be 2^24 times the load and 1 on both sides before: up to there, then.
-        """
-        flow = self._flow
-        if flow.zeta > 0 or F_0 == 0:
-            damped = F_0 / flow.zeta if F_0 > 0 else 0.0
-        else:
-            damped = 2 * float(replace(flow, mu=0.0).bound(1.0, F_0))
-        return min(2.0**ABOVE * max(self._steps.size, F_0, damped), self._steps.grown)
+        """Up to which amplitude folds at F_0 are looked for."""
+        return farthest_fold(self._steps, self._flow, F_0)
 
     def offset_bound(self, A: float) -> float:
         """What |B| does not exceed where the mean is balanced, for amplitudes up to A: no motion is all `settled`."""
