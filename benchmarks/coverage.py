@@ -24,7 +24,6 @@ from slowflow.sizing import fit
 #: n free numbers are the first n of these
 NAMES = ("zeta", "mu", "delta_h", "r")
 PAPER = Isolator(lam=3, r=3747 / 1848, delta_h=1848 / (6 * 3747), mu=0.012, zeta=0.02)
-#: of noise as a share of the largest amplitude, and the forcing as shares of the onset, from and to
 #: that of the paper with another law of damping, or under a load
 OTHERS: dict[str, dict[str, Any]] = {
     "eta": {"eta": 0.02},
@@ -32,6 +31,7 @@ OTHERS: dict[str, dict[str, Any]] = {
     "a load": {"load": 0.03, "force": "truncated"},
     "a load, untruncated": {"load": 0.03},
 }
+#: of noise as a share of the largest amplitude, and the forcing as shares of the onset, from and to
 CASES = {"no jump": (0.01, 0.5, 0.9), "a jump": (0.02, 1.05, 1.6)}
 
 

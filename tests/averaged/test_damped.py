@@ -42,10 +42,7 @@ def by_quadrature():
 @pytest.mark.parametrize(("law", "number"), [("contact", 6), ("eta", 18), ("c_2", 6), ("contact", 24)])
 @pytest.mark.part(2)
 def test_force_averaged_by_quadrature_has_certified_answers(by_quadrature, law, number):
-    case, family = (
-        cases(f"damped_{law}")[number],
-        replace(FAMILIES[f"damped_{law}"], gradients=False),
-    )
+    case, family = cases(f"damped_{law}")[number], replace(FAMILIES[f"damped_{law}"], gradients=False)
     osc = by_quadrature(case)
     assert osc.model.mechanism.enclosed is not None
     found = osc.saddle_nodes(case["F_0"][1])

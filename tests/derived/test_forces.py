@@ -358,6 +358,12 @@ def test_folds_beyond_the_reach_are_said_to_be_cut():
         assert spring.many(zeta=[0.04]).saddle_nodes(0.3).remarks == [Remark.CUT]
 
 
+def test_a_reach_without_a_reason_is_where_the_force_ends():
+    u = sp.Symbol("u")
+    one = derive.mechanism("ends", [(sp.sinh(u), None)], {}, reach=0.5)(zeta=0.04)
+    assert one.saddle_nodes(0.3).message == "cut at A = 0.5, the force is valid up to there only"
+
+
 @pytest.mark.parametrize("compiled", [False, *slow(True)])
 def test_it_is_told_whether_the_response_to_a_force_closes(compiled):
     """A force that gives way: the response closes where a peak ends it below the reach, and not where none does."""

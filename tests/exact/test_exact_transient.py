@@ -15,9 +15,8 @@ from slowflow.answers.results import Remark
 from slowflow.exact import EquationOfMotion, half_sine, linear, record, transient
 from slowflow.example import isolator
 from slowflow_kernels.conventions import Status
+from tests.files import MOUNT
 from tests.oracles import by_time
-
-MOUNT = {"m": 12, "k_v": 2500, "k_h": 1700, "n": 3, "L": 0.080, "preload": 0.009, "friction": 0.4, "zeta": 0.02}
 
 
 def undamped(acceleration, duration):

@@ -15,8 +15,7 @@ from slowflow import Duffing, Isolator, derive
 from slowflow.averaged.checks import APART, ISOLA
 from slowflow.example import isolator
 from slowflow_kernels.conventions import Status
-
-MOUNT = {"m": 12, "k_v": 2500, "k_h": 1700, "n": 3, "L": 0.080, "preload": 0.009, "friction": 0.4, "zeta": 0.02}
+from tests.files import MOUNT
 
 
 def some_isolators(count: int):

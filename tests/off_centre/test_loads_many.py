@@ -188,3 +188,5 @@ def test_states_and_folds_without_a_proof_are_those_with_one(case):
     assert (proved.count > 1).any() and np.array_equal(found.count, proved.count)
     for name in ("Omega", "A", "B", "kind", "status"):
         np.testing.assert_allclose(getattr(found, name), getattr(proved, name), rtol=1e-9, err_msg=name)
+    first = designs._by_doubles("saddle_nodes", max_count=1, **at)
+    assert np.array_equal(first.status, np.where(proved.count > 1, Status.TOO_MANY, proved.status))

@@ -29,7 +29,7 @@ from slowflow.off_centre.turning_points import Charts
 from slowflow.oscillators.isolator import ROD_SPRING
 from slowflow.support.errors import NotSettled
 from slowflow_kernels.conventions import Status
-from tests.files import ROOT, stored
+from tests.files import MOUNT, ROOT, stored
 from tests.sampling import part, slow
 
 CERTIFIED = stored("off_centre")
@@ -563,8 +563,7 @@ def test_a_force_that_only_bends_has_no_fold_where_it_does():
 
 def test_mount_under_a_load_says_which_amplitude_it_means():
     """The first harmonic about the mean, by averaging; the largest |x|, of the equation of motion."""
-    data = {"m": 12, "k_v": 2500, "k_h": 1700, "L": 0.08, "preload": 0.009, "friction": 0.4, "zeta": 0.02}
-    mount = Isolator.physical(**data, load=12.36)
+    mount = Isolator.physical(**MOUNT, load=12.36)
     (state,) = mount.amplitudes(f=2.1, F=2)
     assert state.x_max == pytest.approx(abs(state.B) + state.A, rel=1e-15)
     exact = mount.steady_state(f=2.1, F=2)
@@ -574,7 +573,7 @@ def test_mount_under_a_load_says_which_amplitude_it_means():
         0.08 * mean.real, rel=5e-3
     )
     assert "the mean displacement included" in str(exact) and "x_max/mm" in str(mount.amplitudes(f=2.1, F=2))
-    assert "included" not in str(Isolator.physical(**data).steady_state(f=2.1, F=2))
+    assert "included" not in str(Isolator.physical(**MOUNT).steady_state(f=2.1, F=2))
 
 
 def balance_of_a_cubic(alpha, beta, zeta, load, F_0, Omega, A, B):

@@ -13,6 +13,7 @@ from slowflow.example import TABLE_1
 from slowflow.off_centre.flow import Flow
 from slowflow.sizing import tolerances
 from slowflow_kernels.duffing import MECHANISM
+from tests.files import MOUNT
 from tests.oracles.by_time import mean_and_first
 from tests.slopes import assert_slopes_are_differences
 
@@ -204,8 +205,7 @@ def test_gradients_by_an_absent_law_are_limits():
 
 @pytest.mark.slow
 def test_tolerances_on_a_shaking_floor_are_single_answers():
-    sheet = {"m": 12, "k_v": 2500, "k_h": 1700, "n": 3, "L": 0.080, "preload": 0.009, "friction": 0.4, "zeta": 0.02}
-    mount = Isolator.physical(**sheet, load=12.36, excitation="base")
+    mount = Isolator.physical(**MOUNT, load=12.36, excitation="base")
     found = tolerances(mount, {"load": 0.02}, Y=0.004, answers=["Y_cr", "of_SN", "A_peak"], samples=4)
     margins = mount.margins(Y=0.004)
     assert found.nominal.tolist() == pytest.approx([margins.Y_cr, margins.of_SN, mount.peak(Y=0.004).A], rel=1e-12)

@@ -143,7 +143,7 @@ class ScipyIntegrator:
 
         return self._solve(field, (theta, end), np.array([u, v])).y
 
-    def _solve(self, field: Any, span: tuple[float, float], start: Any, **options: Any) -> Any:
+    def _solve(self, field: Any, span: tuple[float, float], start: Any) -> Any:
         left = MOST_CALLS
 
         def counted(theta: float, y: Any) -> Any:
@@ -155,7 +155,7 @@ class ScipyIntegrator:
 
         # a step tried may leave the range where the force is defined; it is then refused
         with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
-            solution = solve_ivp(counted, span, start, **self._tolerances, **options)
+            solution = solve_ivp(counted, span, start, **self._tolerances)
         if solution.status < 0:
             raise ArithmeticError(f"the integration from theta = {span[0]} failed: {solution.message}")
         return solution
@@ -164,7 +164,7 @@ class ScipyIntegrator:
 def assert_followed(forced: Forced, phases: Sequence[Phase]) -> None:
     """Assert that the mass goes through these phases, by SciPy: each begins where one ends, and holds no switch."""
     system = forced.system
-    for before, phase in zip([None, *phases], phases, strict=False):
+    for before, phase in zip([None, *phases[:-1]], phases, strict=True):
         slip, region, theta, u, v, end, u_end, v_end, event, *_ = phase
         holds, edge = system.holds(region), edge_ahead(system, slip, region)
         if before is not None:

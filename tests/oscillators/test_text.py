@@ -15,6 +15,7 @@ from slowflow.answers.quantities import Scales
 from slowflow.answers.table import QUANTITIES
 from slowflow.averaged import messages
 from slowflow.support.text import Sentence, Text, in_units, text, together
+from tests import files
 from tests.files import ROOT
 
 SOURCE = ROOT / "src" / "slowflow"
@@ -158,27 +159,26 @@ def test_bounds_of_what_is_allowed_are_in_units_too():
     assert str(refused.value) == "A_max = -10 mm is not allowed: A_max must be a finite real number > 0"
 
 
-SHEET = {"m": 12, "k_v": 2500, "k_h": 1700, "n": 3, "L": 0.080, "preload": 0.009, "friction": 0.4, "zeta": 0.02}
 PSD = ([1.0, 50.0], [1e-4, 1e-6])
 ATTACHED = dict(lam=3, r=2.0, delta_h=0.08, mu=0.012, zeta=0.02, contact="attached")
 REFUSALS = {
     "load = 12.1 kg is not available with c_xx = 0.1 N s/m^3, only with friction, zeta, eta and c_2": lambda: (
-        Isolator.physical(**SHEET, load=12.1, c_xx=0.1)
+        Isolator.physical(**files.MOUNT, load=12.1, c_xx=0.1)
     ),
     "load is not available with c_xx, only with friction, zeta, eta and c_2": lambda: (
-        Isolator.physical(**SHEET).many(m=[11.0, 12.0], load=12.1, c_xx=1.0).rest()
+        Isolator.physical(**files.MOUNT).many(m=[11.0, 12.0], load=12.1, c_xx=1.0).rest()
     ),
     "certify is not available with an array of c_xx, only with friction and zeta": lambda: (
-        Isolator.physical(**SHEET).many(c_xx=[3.0, 4.0]).certify(5)
+        Isolator.physical(**files.MOUNT).many(c_xx=[3.0, 4.0]).certify(5)
     ),
     "limit_envelope is not available with contact = 'attached', only with mu, zeta, eta, c_2, c_3 and zeta_2": lambda: (
         Isolator(**ATTACHED, eta=0.1).limit_envelope(Omega=1.0, F_0=0.1)
     ),
     "duration = -1000 ms is not allowed: duration must be a finite real number > 0": lambda: (
-        Isolator.physical(**SHEET).random(psd=PSD).largest(-1)
+        Isolator.physical(**files.MOUNT).random(psd=PSD).largest(-1)
     ),
     "f = -3 Hz is not allowed: f must be a finite real number > 0, or an array of such": lambda: (
-        Isolator.physical(**SHEET).random(psd=PSD).response_psd([1, -3])
+        Isolator.physical(**files.MOUNT).random(psd=PSD).response_psd([1, -3])
     ),
 }
 

@@ -245,7 +245,7 @@ def unresolved_onset(model: Model) -> str:
 CUT = Sentence("unbounded without viscous damping: cut at {A = :g}{why:s}")
 LEVELS_OFF = "the spring force levels off and does not hold the mass"
 CUT_TOWARDS_REST = Sentence("unbounded as {Omega} tends to 0, where {why:s}: cut at {A = :g}")
-CUT_AT_REACH = Sentence("cut at {A = :g}{why:s}")
+CUT_AT_REACH = Sentence("cut at {A = :g}, {why:s}")
 EVERYWHERE = Sentence(
     "no response curve: {A = :.17g} at every frequency, as all forces on the mass are proportional to {Omega}^2"
 )

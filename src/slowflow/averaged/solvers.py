@@ -70,8 +70,7 @@ def remark_of(model: Model, F_0: float, lowest: float = 0.0) -> str:
         return messages.CUT_TOWARDS_REST.format(why, float(STATIC_MULTIPLE * max(F_0, *model.breakpoints, 0.0)))
     if model.inertial and A_max != model.reach:
         return messages.NOT_CLOSED.format(A_max)
-    reason = model.mechanism.reach_reason
-    return messages.CUT_AT_REACH.format(model.reach, f", {reason}" if reason else "")
+    return messages.CUT_AT_REACH.format(model.reach, model.mechanism.reach_reason)
 
 
 def amplitude_bound(model: Model, F_0: float) -> float:
