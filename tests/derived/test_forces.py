@@ -335,11 +335,11 @@ def test_a_base_response_below_the_reach_closes(excitation):
         spring = derive.mechanism(f"linear_{round(100 * fraction)}", [(lambda u: u, None)], {}, reach=A / fraction)
         one = spring(zeta=zeta, excitation=excitation)
         closes = fraction < 1
-        assert one.closes(Y) == closes and ("cut at" in one.peak(Y).message) != closes
+        assert one.closes(Y) == closes and one.peak(Y).message.startswith("cut at") != closes
         assert one.peak(Y).A == (pytest.approx(A, rel=1e-9) if closes else None)
         # from sqrt(2) times its natural frequency on a linear spring transmits less
         assert one.isolation(Y).Omega == pytest.approx(np.sqrt(2), rel=1e-9)
-        assert ("cut at" in one.isolation(Y).message) != closes
+        assert one.isolation(Y).message.startswith("cut at") != closes
         many = spring.many(zeta=[zeta], excitation=excitation)
         assert many.isolation(Y).Omega[0] == one.isolation(Y).Omega
 
