@@ -152,6 +152,14 @@ def test_intervals_a_proof_looked_at_are_lengths():
     assert messages.NOT_BOUNDED.format(0.5).in_units(SCALES) == "only amplitudes up to 50 mm are searched"
 
 
+def test_offset_motions_are_those_of_the_mount_s_oscillator():
+    with pytest.warns(UserWarning, match="negative stiffness"):
+        mount = Isolator.physical(**files.MOUNT | {"preload": 0.04})
+    found = mount.amplitudes(f=2.0, F=5.0)
+    assert "; .oscillator.off_centre has" in found.message and "; .off_centre has" in found.answer.message
+    assert hasattr(mount.oscillator, "off_centre") and not hasattr(mount, "off_centre")
+
+
 def test_bounds_of_what_is_allowed_are_in_units_too():
     mount = Isolator.physical(**MOUNT)
     with pytest.raises(ValueError) as refused:
