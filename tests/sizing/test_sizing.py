@@ -889,6 +889,16 @@ def test_states_that_a_search_misses_are_reported(monkeypatch):
     assert "points the motions of the fitted design, which are proved" in found.message
 
 
+@pytest.mark.slow
+def test_a_mass_at_rest_has_no_phase_in_a_fit():
+    """Its proved state has one by definition, which the search does not miss: friction holds it at three points."""
+    one, Omega = Duffing(1.0, 0.5, mu=0.02, zeta=0.03, excitation="base"), np.linspace(0.4, 1.6, 14)
+    phi = [states.phi[states.stable][-1] for states in (one.amplitudes(Omega=at, F_0=0.06) for at in Omega)]
+    found = fit(one, phi=phi, Omega=Omega, F_0=0.06, free=["zeta"])
+    assert found.message.endswith("the fitted design has no such motion, or jump, at 3 of the 14 points")
+    assert "proved" not in found.message
+
+
 def test_a_decay_under_a_load_has_the_numbers_of_its_spring():
     """u'' + 2 zeta u' + alpha u + beta u^3 = load, by SciPy, from rest at .5."""
     alpha, beta, zeta, load, t = 1.0, 0.6, 0.03, 0.2, np.linspace(0, 40, 150)

@@ -540,7 +540,7 @@ def _nearest(
     else:
         # as many whole cycles away as the measured one
         there = states.phi + 2 * np.pi * np.round((measured[:, np.newaxis] - states.phi) / (2 * np.pi))
-    there = np.where(states.stable == 1, there, np.inf)
+    there = np.where((states.stable == 1) & (states.A > 0), there, np.inf)
     nearest = np.argmin(np.abs(there - measured[:, np.newaxis]), axis=-1)[..., np.newaxis]
     found = np.take_along_axis(there, nearest, -1)[..., 0]
     return np.where(np.isfinite(found), found, 0.0)
