@@ -84,16 +84,11 @@ def straight_line(
 def _passed(lets: tuple[Let, ...], outputs: tuple[sp.Expr, ...], reserved: tuple[str, ...], named: bool) -> Program:
     """`straight_line` of what is needed: regimes that differ in what is not are the same code."""
     names = {*reserved, *(symbol.name for symbol, _ in lets)}
-    if not (named or is_spelled_out(lets)):
+    if not named and len(lets) <= SPELLED_OUT:
         lets, outputs = _common_subexpressions(lets, outputs)
     lets, outputs = _power_chains(lets, outputs)
     lets, outputs = _numbered(lets, outputs, names)
     return Program(tuple(lets), tuple(outputs), _counted(lets, outputs))
-
-
-def is_spelled_out(lets: Sequence[Let]) -> bool:
-    """Whether it is an algorithm in many steps."""
-    return len(lets) > SPELLED_OUT
 
 
 @functools.cache

@@ -285,7 +285,7 @@ def evaluated(lets, outputs, at):
             arguments = dict(zip(one.arguments, map(value_of, expression.args), strict=True))
             for _ in range(int(arguments.get(TURNS, 1))):
                 found = evaluated(one.lets, [value for _, value in one.outputs], arguments)
-                arguments.update(zip(one.state, found, strict=False))
+                arguments.update(zip(one.state, found[: len(one.state)], strict=True))
             return found[expression.number]
         return EVALUATED[expression.func](*map(value_of, expression.args))
 

@@ -358,15 +358,18 @@ static double sf_level_crossing(const sf_model *model, double F_0, const sf_arc 
     return fabs(f_a) < fabs(f_b) ? a : b;
 }
 
-static void sf_add_fold_by_inertia(const sf_model *model, double F_0, const sf_sample *at, double Omega, sf_folds *folds) {
+/* Of an excitation by inertia at an amplitude, with the last digits of Omega. */
+static void sf_add_fold_by_inertia(const sf_model *model, double F_0, const sf_sample *at, double Omega,
+                                   sf_folds *folds)
+{
     Omega = sf_settled_Omega(model, F_0, at, Omega);
     if (model->zeta > 0)
         Omega = sf_sharp_Omega(model, F_0, at, Omega);
     sf_add_fold(folds, Omega, at->A, sf_half_F_AA(model, at, Omega) < 0, 0);
 }
 
-/* The folds of an excitation by inertia inside of pieces: where the level passes F_0 along the arcs of the fold
- * locus. */
+/* The folds of an excitation by inertia inside of pieces, where a search in boxes leaves some open: where the level
+ * passes F_0 along the arcs of the fold locus. */
 static sf_status sf_locus_folds(const sf_model *model, double F_0, sf_work *work, sf_folds *folds) {
     const sf_status status = sf_fold_locus(model, work->A_max, 1, work);
     if (status != SF_OK)

@@ -238,10 +238,11 @@ static void sf_add_point(sf_law_points *found, const sf_law_point *point) {
         found->at[found->n++] = *point;
 }
 
-/* The level at a point by R itself, of which A Omega^2 + h may leave little. */
+/* The level at a point by R itself, of which A Omega^2 + h may leave little: as at A = 0 with R for h and I for m. */
 static double sf_level_at_point(const sf_law_search *search, const sf_law_point *point) {
     const double w = point->Omega, R = search->far ? point->R * w * w : point->R;
-    return (sf_inertial(search->model) ? inertia_level : slow_flow_level)(w, 0, sf_law_I(search->model, point->A, w), 0, R);
+    const double I = sf_law_I(search->model, point->A, w);
+    return (sf_inertial(search->model) ? inertia_level : slow_flow_level)(w, 0, I, 0, R);
 }
 
 static inline sf_interval *sf_second_unknown(sf_law_box *box) { return box->by_w ? &box->of.w : &box->of.R; }
