@@ -147,7 +147,7 @@ class OffCentreDesigns(many.Designs):
         return self._answered(Question(question, one, None, 1, OFFSET, points), arguments, workers, options)
 
     def _by_doubles(self, question: str, *, max_count: int, **at: Any) -> Batch:
-        """Folds or states, of a force that rises with u without a proof; those of a design together."""
+        """Folds or states; where the force of a design rises with u, without a proof."""
         tones = {name: np.asarray(value, dtype=float) for name, value in at.items()}
         shape = validate.common_shape({**self.values, **tones})
         columns = QUESTIONS[question].blank(OFFSET, shape, place=max_count)
