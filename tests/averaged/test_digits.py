@@ -198,4 +198,10 @@ def test_cusps_and_folds_by_other_laws_have_their_digits(law, excitation):
                 if answer is onset:
                     found.append((onset.F_SN, level(*exact)))
                 assert all(abs(value - at) <= 32 * U * at for value, at in found)
+            locus = mount.fold_locus(A_max=2.0, samples=12)
+            for Omega, A, F_0 in zip(
+                *(column[1:-1].tolist() for column in (locus.Omega, locus.A, locus.F_0)), strict=True
+            ):
+                exact = mpmath.findroot(lambda at, A=A: slope(at, mpmath.mpf(A)), Omega, tol=1e-35)
+                assert abs(F_0 - level(exact, A)) <= 32 * U * level(exact, A)
     assert cusps > 4

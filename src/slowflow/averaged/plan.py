@@ -38,7 +38,7 @@ PIECES = text("pieces up to the largest amplitude at {F_0}")
 #: whether it is linear
 ONE_PIECE = ("one piece: no detachment, no corner", "linear: one piece, no detachment, no corner")
 NO_FOLDS = Step("folds", False, "a linear oscillator has none")
-FOLDS = "level crossings of the fold locus, and corners"
+FOLDS = "every amplitude and frequency with F = F_A = 0, and corners"
 STATES = "number of states at each frequency: one on each piece of the curve"
 IN_BALLS = "; where double precision is inconclusive, ball arithmetic by python-flint"
 UNDAMPED = Step("fold locus", True, text("zeta = 0: {Omega}^2 = -h_A, so the forcing follows from h - A h_A"))

@@ -237,7 +237,7 @@ static sf_status sf_amplitude_bound(const sf_model *model, double F_0, double *A
     *A_max = cut;
     if (bound < HUGE_VAL && !(bent && model->reach < bound)) {
         *A_max = bound;
-    } else if (model->reach < HUGE_VAL) { /* a response that goes on beyond the reach has a state there */
+    } else if (model->reach < HUGE_VAL && F_0 * F_0 < HUGE_VAL) { /* what goes on beyond the reach has a state there */
         const sf_sample at = sf_sample_at(model, model->reach);
         status = sf_count_at(model, &at, F_0) > 0 ? SF_UNBOUNDED : SF_OK;
     } else if (inertial) {

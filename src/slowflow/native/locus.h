@@ -294,22 +294,27 @@ static void sf_corner_folds(const sf_model *model, double F_0, sf_work *work, sf
  * inertia 0 at A = 0, where the locus begins without friction and no Omega is known. */
 static double sf_locus_level(const sf_model *model, const sf_sample *at, double w) {
     const double slope = w * w + at->h_A;
-    double slopes[3];
+    double m = model->m, zeta = model->zeta, slopes[3], level;
     if (sf_inertial(model) && at->A == 0)
         return 0;
-    if (sf_has_laws(model))
-        return sf_law_level(model, at, w);
-    if (model->zeta == 0 || !(w > 0 && at->k * at->k > 0 && fabs(at->k) < HUGE_VAL))
-        return sf_level(model, at, w);
-    inertia_fold_slopes(w, at->A, model->m, model->zeta, at->k, slopes);
+    if (sf_has_laws(model)) { /* these have the same I and I_A there */
+        const sf_law_terms of = sf_law_terms_below(model, at->A);
+        const double I_A = dissipation_I_A(w, at->A, of.rest[1], of.zeta[0], of.zeta[1], of.d, of.d_3);
+        level = sf_law_level(model, at, w);
+        m = sf_law_I(model, at->A, w) - at->A * I_A, zeta = I_A / (2 * w);
+    } else {
+        level = sf_level(model, at, w);
+    }
+    if (!(zeta > 0 && w > 0 && at->k * at->k > 0 && fabs(at->k) < HUGE_VAL))
+        return level;
+    inertia_fold_slopes(w, at->A, m, zeta, at->k, slopes);
     const double other = slopes[fabs(slope - slopes[0]) <= fabs(slope - slopes[1])];
     if (!(fabs(slopes[0] - slopes[1]) * sf_size_of_R(at, w) >= fabs(at->k * other)))
-        return sf_level(model, at, w);
+        return level;
     if (sf_inertial(model))
-        return inertia_fold_level(w, at->A, model->m, model->zeta, other);
+        return inertia_fold_level(w, at->A, m, zeta, other);
     /* by what the record's excitation differs from a force */
-    return inertia_fold_force(w, at->A, model->m, model->zeta, other) *
-           (sf_level(model, at, w) / slow_flow_level(w, at->A, model->m, model->zeta, at->h));
+    return inertia_fold_force(w, at->A, m, zeta, other) * (level / slow_flow_level(w, at->A, m, zeta, at->h));
 }
 
 /* Omega of a fold of an excitation by inertia where damping is so weak that what rounding leaves of R takes it off the
