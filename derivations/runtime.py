@@ -98,13 +98,13 @@ class Sources:
 
         One source defines `slowflow_record`, the last `slowflow_laws`, the pieces of the force as Taylor recurrences.
         """
-        from .codegen.targets import c, interval, pair  # here, not above: NumPy answers without
+        from .codegen.targets import c, generic  # here, not above: NumPy answers without
 
         motion = {f"{self.module.name}_motion.c": c.motion(self.module)}
         if not self.odd:
             return motion
         module, code = self.solved, {self.solved.name: programs(self.solved)}
-        files = c.headers([module], code) | interval.files([module], code) | pair.headers([module], code)
+        files = c.headers([module], code) | generic.files([module], code)
         headers = {Path(file).name: text for file, text in files.items()}
         return headers | {f"{module.name}.c": c.records.of_one(module)} | motion
 

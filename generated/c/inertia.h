@@ -16,6 +16,11 @@
 
 #include "inline.h"
 
+#define OF(name) inertia_##name
+#include "arithmetic_doubles.h"
+#include "inertia_generic.h"
+#include "arithmetic_end.h"
+
 /* Amplitude of the force on the mass.
    Equation beside (3). Domain: Omega >= 0. Operations: 2. Error / u (1 + kappa): proved 0.51. */
 SF_KERNEL double inertia_force(double Omega, double F_0)
@@ -99,15 +104,6 @@ SF_KERNEL double inertia_Omega_A(double Omega, double A, double m, double zeta, 
     return -2.0 * Omega * (2.0 * I_ * t1 + R * (h_A + t0)) / (-4.0 * I_ * (m + t2) - 4.0 * R * h);
 }
 
-/* What the least level of an amplitude follows from; it has one where the first, fall, is positive.
-   Equation from (24). Domain: A > 0. Operations: 11. Error / u (1 + kappa): proved 1.61, 0.76, 0.67. */
-SF_KERNEL void inertia_terms(double A, double m, double zeta, double h, double *out)
-{
-    out[0] = -A * (2.0 * A * zeta * zeta + h);
-    out[1] = 12.0 * A * m * zeta;
-    out[2] = h * h + m * m;
-}
-
 /* x = 1/Omega where the level of an amplitude is least, by its `terms`.
    Equation from (24). Domain: fall > 0, linear >= 0, rest > 0. Operations: 8. Error / u (1 + kappa): measured 1.3. */
 SF_KERNEL double inertia_least(double fall, double linear, double rest)
@@ -124,52 +120,6 @@ SF_KERNEL double inertia_least_Omega_A(double x, double A, double m, double zeta
     const double t2 = 2.0 * x;
     return (4.0 * A * zeta * zeta + h + h_A * (A + 2.0 * h * t0) + t1 * x) / (t0 * (A * t1 + h * h * t2 + m * m
         * t2));
-}
-
-/* The least level of an amplitude less F_0, and its slope along A.
-   Equation from (24). Domain: x of `least`, h < 0. Operations: 19. Error / u (1 + kappa): measured 0.87. */
-SF_KERNEL void inertia_peak(double x, double A, double F_0, double m, double zeta, double h, double h_A, double *out)
-{
-    const double t0 = A * zeta;
-    const double t1 = m * x;
-    const double drag = t0 + t1;
-    const double share = drag / h;
-    const double t2 = x * x;
-    const double root = sqrt(share * share + t2);
-    out[0] = -F_0 + root * (2.0 * t0 + t1);
-    out[1] = (-share * (h_A * t2 + 1.0) + 2.0 * t2 * zeta) / root;
-}
-
-/* Has the sign of F_A where an amplitude's level is least: zero at an isola point; its slope along A.
-   Equation from (24), (30). Domain: x of `least`, h < 0. Operations: 50. Error / u (1 + kappa): measured 1.2. */
-SF_KERNEL void inertia_isola(double x, double A, double m, double zeta, double h, double h_A, double h_AA, double *out)
-{
-    const double t0 = A * zeta;
-    const double t1 = m * x;
-    const double t2 = t0 + t1;
-    const double t3 = x * x;
-    const double t4 = h * t3;
-    const double t5 = 2.0 * zeta;
-    const double t6 = h_A * t3;
-    const double t7 = t6 + 1.0;
-    const double t8 = 8.0 * x;
-    const double t9 = 4.0 * h;
-    out[0] = t2 * t7 - t4 * t5;
-    out[1] = h_AA * t2 * t3 - t5 * t6 + t7 * zeta + (2.0 * h_A * t2 * x + m * t7 - t9 * x * zeta) * (16.0 * A *
-        zeta * zeta - h_A * (-4.0 * A - 8.0 * t4) + 12.0 * t1 * zeta + t9) / (-h * h * t8 - m * m * t8 - 12.0 * m *
-        t0);
-}
-
-/* The same without its slope by k = h - A h_A and cubic = 3 h - A h_A, small where h is like A^3.
-   Equation from (24), (30). Domain: x of `least`, h < 0. Operations: 17. Error / u (1 + kappa): measured 1.1. */
-SF_KERNEL double inertia_isola_apart(double x, double A, double m, double zeta, double h, double k, double cubic)
-{
-    const double t0 = A * zeta;
-    const double t1 = m * x;
-    const double drag = t0 + t1;
-    const double x2 = x * x;
-    const double x3 = x * x2;
-    return (-cubic * t0 * x2 + drag * drag * (-2.0 * t0 - t1) / h - k * m * x3) / A;
 }
 
 /* dR/dA at a fold by k = h - A h_A: of the two with F_A = 0 the larger, the other; -R/I with the first.

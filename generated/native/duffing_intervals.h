@@ -8,6 +8,7 @@
 #define DUFFING_INTERVALS_H
 
 #include "interval.h"
+#include "arithmetic_intervals.h"
 
 /* The parameters from the design, and what the force loses at each breakpoint.
    Equation (5)-(7). Domain: any design. */
@@ -22,15 +23,16 @@ static inline void duffing_intervals_given(sf_interval alpha, sf_interval beta, 
 static inline void duffing_intervals_known(sf_interval A, const sf_interval *p, sf_interval *out)
 {
     const sf_interval alpha = p[0], beta = p[1];
-    const sf_interval A2 = sfi_square(A);
-    const sf_interval t0 = sfi_mul(A2, beta);
-    const sf_interval t1 = sfi_times(4.5, beta);
-    const sf_interval A3 = sfi_mul(A, A2);
-    out[0] = sfi_mul(A, sfi_sub(sfi_neg(alpha), sfi_times(0.75, t0)));
-    out[1] = sfi_sub(sfi_neg(alpha), sfi_times(2.25, t0));
-    out[2] = sfi_neg(sfi_mul(A, t1));
-    out[3] = sfi_neg(t1);
-    out[4] = sfi_times(1.5, sfi_mul(A3, beta));
+    const sf_interval A2 = SQUARE(A);
+    const sf_interval t0 = MUL(A2, beta);
+    const sf_interval t1 = TIMES(4.5, beta);
+    const sf_interval A3 = MUL(A, A2);
+    out[0] = MUL(A, SUB(NEG(alpha), TIMES(0.75, t0)));
+    out[1] = SUB(NEG(alpha), TIMES(2.25, t0));
+    out[2] = NEG(MUL(A, t1));
+    out[3] = NEG(t1);
+    out[4] = TIMES(1.5, MUL(A3, beta));
 }
 
+#include "arithmetic_end.h"
 #endif

@@ -12,15 +12,16 @@
 
 #include "interval.h"
 #include "inline.h"
+#include "arithmetic_intervals.h"
 
 SF_FAMILY_BEGIN
 
 /* Zero at an isola point: F_Omega/(4 A) at its Omega, for m = 0 without the factor Omega; slope along A. */
 static inline void slow_flow_mu0_intervals_isola(sf_interval A, sf_interval m, sf_interval zeta, sf_interval h, sf_interval h_A, sf_interval h_AA, sf_interval *out)
 {
-    const sf_interval t0 = sfi_times(2.0, sfi_square(zeta));
-    const sf_interval bracket = sfi_add(sfi_mul(A, sfi_add(h_A, t0)), h);
-    const sf_interval bracket_A = sfi_add(sfi_add(sfi_mul(A, h_AA), sfi_times(2.0, h_A)), t0);
+    const sf_interval t0 = TIMES(2.0, SQUARE(zeta));
+    const sf_interval bracket = ADD(MUL(A, ADD(h_A, t0)), h);
+    const sf_interval bracket_A = ADD(ADD(MUL(A, h_AA), TIMES(2.0, h_A)), t0);
     out[0] = bracket;
     out[1] = bracket_A;
 }
@@ -29,12 +30,13 @@ static inline void slow_flow_mu0_intervals_isola(sf_interval A, sf_interval m, s
    Equation (34). Domain: Omega > 0, A > 0. */
 static inline void slow_flow_mu0_intervals_F_Omega_reduced(sf_interval Omega, sf_interval A, sf_interval m, sf_interval zeta, sf_interval h, sf_interval *out)
 {
-    const sf_interval t0 = sfi_times(2.0, A);
-    const sf_interval p = sfi_add(h, sfi_mul(t0, sfi_square(zeta)));
-    out[0] = sfi_add(sfi_mul(A, sfi_square(Omega)), p);
-    out[1] = sfi_mul(Omega, t0);
+    const sf_interval t0 = TIMES(2.0, A);
+    const sf_interval p = ADD(h, MUL(t0, SQUARE(zeta)));
+    out[0] = ADD(MUL(A, SQUARE(Omega)), p);
+    out[1] = MUL(Omega, t0);
 }
 
 SF_FAMILY_END
 
+#include "arithmetic_end.h"
 #endif

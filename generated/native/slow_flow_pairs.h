@@ -12,24 +12,25 @@
 
 #include "pair_angles.h"
 #include "inline.h"
+#include "arithmetic_pairs.h"
 
 SF_FAMILY_BEGIN
 
 /* Dry friction's share of I. */
 static inline sf_pair slow_flow_pairs_friction(sf_pair mu)
 {
-    return sfp_mul(sfp_of(1.2732395447351628, -7.8714706700729944e-17), mu);
+    return MUL(CONSTANT(1.2732395447351628, -7.8714706700729944e-17), mu);
 }
 
 /* By what A change at a state, and how far that is from linear.
    Equation from (24). Domain: Omega > 0, A > 0. */
 static inline void slow_flow_pairs_state_step(sf_pair Omega, sf_pair A, sf_pair F_0, sf_pair m, sf_pair zeta, sf_pair h, sf_pair h_A, sf_pair h_AA, sf_pair h_AAA, double *out)
 {
-    const sf_pair t0 = sfp_square(Omega);
-    const sf_pair R = sfp_add(sfp_mul(A, t0), h);
-    const sf_pair t1 = sfp_times(2.0, sfp_mul(Omega, zeta));
-    const sf_pair I_ = sfp_add(sfp_mul(A, t1), m);
-    const sf_pair F = sfp_add(sfp_square(R), sfp_mul(sfp_add(sfp_neg(F_0), I_), sfp_add(F_0, I_)));
+    const sf_pair t0 = SQUARE(Omega);
+    const sf_pair R = ADD(MUL(A, t0), h);
+    const sf_pair t1 = TIMES(2.0, MUL(Omega, zeta));
+    const sf_pair I_ = ADD(MUL(A, t1), m);
+    const sf_pair F = ADD(SQUARE(R), MUL(ADD(NEG(F_0), I_), ADD(F_0, I_)));
     const double t2 = h_A.high + t0.high;
     const double F_A = 2.0 * (I_.high * t1.high + R.high * t2);
     const double F_AA = 2.0 * (R.high * h_AA.high + 4.0 * t0.high * zeta.high * zeta.high + t2 * t2);
@@ -41,15 +42,15 @@ static inline void slow_flow_pairs_state_step(sf_pair Omega, sf_pair A, sf_pair 
    Equation from (24). Domain: Omega > 0, A > 0. */
 static inline void slow_flow_pairs_fold_step(sf_pair Omega, sf_pair A, sf_pair F_0, sf_pair m, sf_pair zeta, sf_pair h, sf_pair h_A, sf_pair h_AA, sf_pair h_AAA, double *out)
 {
-    const sf_pair t0 = sfp_square(Omega);
-    const sf_pair R = sfp_add(sfp_mul(A, t0), h);
-    const sf_pair t1 = sfp_mul(A, Omega);
-    const sf_pair t2 = sfp_times(2.0, t1);
-    const sf_pair I_ = sfp_add(m, sfp_mul(t2, zeta));
-    const sf_pair F = sfp_add(sfp_square(R), sfp_mul(sfp_add(sfp_neg(F_0), I_), sfp_add(F_0, I_)));
-    const sf_pair t3 = sfp_mul(I_, zeta);
-    const sf_pair t4 = sfp_add(h_A, t0);
-    const sf_pair F_A = sfp_times(2.0, sfp_add(sfp_times(2.0, sfp_mul(Omega, t3)), sfp_mul(R, t4)));
+    const sf_pair t0 = SQUARE(Omega);
+    const sf_pair R = ADD(MUL(A, t0), h);
+    const sf_pair t1 = MUL(A, Omega);
+    const sf_pair t2 = TIMES(2.0, t1);
+    const sf_pair I_ = ADD(m, MUL(t2, zeta));
+    const sf_pair F = ADD(SQUARE(R), MUL(ADD(NEG(F_0), I_), ADD(F_0, I_)));
+    const sf_pair t3 = MUL(I_, zeta);
+    const sf_pair t4 = ADD(h_A, t0);
+    const sf_pair F_A = TIMES(2.0, ADD(TIMES(2.0, MUL(Omega, t3)), MUL(R, t4)));
     const double t5 = Omega.high * R.high + t3.high;
     const double F_Omega = 4.0 * A.high * t5;
     const double t6 = zeta.high * zeta.high;
@@ -70,16 +71,16 @@ static inline void slow_flow_pairs_fold_step(sf_pair Omega, sf_pair A, sf_pair F
    Equation from (24). Domain: Omega > 0, A > 0. */
 static inline void slow_flow_pairs_peak_step(sf_pair Omega, sf_pair A, sf_pair F_0, sf_pair m, sf_pair zeta, sf_pair h, sf_pair h_A, sf_pair h_AA, sf_pair h_AAA, double *out)
 {
-    const sf_pair t0 = sfp_square(Omega);
-    const sf_pair t1 = sfp_mul(A, t0);
-    const sf_pair R = sfp_add(h, t1);
-    const sf_pair t2 = sfp_times(2.0, A);
-    const sf_pair I_ = sfp_add(sfp_mul(sfp_mul(Omega, t2), zeta), m);
-    const sf_pair F = sfp_add(sfp_square(R), sfp_mul(sfp_add(sfp_neg(F_0), I_), sfp_add(F_0, I_)));
-    const sf_pair t3 = sfp_mul(I_, zeta);
-    const sf_pair t4 = sfp_add(sfp_mul(Omega, R), t3);
-    const sf_pair t5 = sfp_times(4.0, A);
-    const sf_pair F_Omega = sfp_mul(t4, t5);
+    const sf_pair t0 = SQUARE(Omega);
+    const sf_pair t1 = MUL(A, t0);
+    const sf_pair R = ADD(h, t1);
+    const sf_pair t2 = TIMES(2.0, A);
+    const sf_pair I_ = ADD(MUL(MUL(Omega, t2), zeta), m);
+    const sf_pair F = ADD(SQUARE(R), MUL(ADD(NEG(F_0), I_), ADD(F_0, I_)));
+    const sf_pair t3 = MUL(I_, zeta);
+    const sf_pair t4 = ADD(MUL(Omega, R), t3);
+    const sf_pair t5 = TIMES(4.0, A);
+    const sf_pair F_Omega = MUL(t4, t5);
     const double t6 = h_A.high + t0.high;
     const double F_A = 2.0 * (2.0 * Omega.high * t3.high + R.high * t6);
     const double t7 = zeta.high * zeta.high;
@@ -99,22 +100,22 @@ static inline void slow_flow_pairs_peak_step(sf_pair Omega, sf_pair A, sf_pair F
    Equation from (24). Domain: Omega > 0, A > 0. */
 static inline void slow_flow_pairs_cusp_step(sf_pair Omega, sf_pair A, sf_pair F_0, sf_pair m, sf_pair zeta, sf_pair h, sf_pair h_A, sf_pair h_AA, sf_pair h_AAA, double *out)
 {
-    const sf_pair t0 = sfp_square(Omega);
-    const sf_pair R = sfp_add(sfp_mul(A, t0), h);
-    const sf_pair t1 = sfp_mul(A, Omega);
-    const sf_pair t2 = sfp_times(2.0, t1);
-    const sf_pair I_ = sfp_add(m, sfp_mul(t2, zeta));
-    const sf_pair t3 = sfp_mul(I_, zeta);
-    const sf_pair t4 = sfp_add(h_A, t0);
-    const sf_pair F_A = sfp_times(2.0, sfp_add(sfp_times(2.0, sfp_mul(Omega, t3)), sfp_mul(R, t4)));
-    const sf_pair t5 = sfp_square(zeta);
-    const sf_pair t6 = sfp_times(4.0, t5);
-    const sf_pair F_AA = sfp_times(2.0, sfp_add(sfp_add(sfp_mul(R, h_AA), sfp_mul(t0, t6)), sfp_square(t4)));
+    const sf_pair t0 = SQUARE(Omega);
+    const sf_pair R = ADD(MUL(A, t0), h);
+    const sf_pair t1 = MUL(A, Omega);
+    const sf_pair t2 = TIMES(2.0, t1);
+    const sf_pair I_ = ADD(m, MUL(t2, zeta));
+    const sf_pair t3 = MUL(I_, zeta);
+    const sf_pair t4 = ADD(h_A, t0);
+    const sf_pair F_A = TIMES(2.0, ADD(TIMES(2.0, MUL(Omega, t3)), MUL(R, t4)));
+    const sf_pair t5 = SQUARE(zeta);
+    const sf_pair t6 = TIMES(4.0, t5);
+    const sf_pair F_AA = TIMES(2.0, ADD(ADD(MUL(R, h_AA), MUL(t0, t6)), SQUARE(t4)));
     const double t7 = Omega.high * R.high + t3.high;
     const double F_AOmega = 4.0 * (t1.high * t4.high + t2.high * t5.high + t7);
     const double F_AAOmega = 4.0 * Omega.high * (A.high * h_AA.high + 2.0 * h_A.high + 2.0 * t0.high + t6.high);
     const double F_AAA = 2.0 * (R.high * h_AAA.high + 3.0 * h_AA.high * t4.high);
-    const sf_pair F = sfp_add(sfp_square(R), sfp_mul(sfp_add(sfp_neg(F_0), I_), sfp_add(F_0, I_)));
+    const sf_pair F = ADD(SQUARE(R), MUL(ADD(NEG(F_0), I_), ADD(F_0, I_)));
     const double F_Omega = 4.0 * A.high * t7;
     const double t8 = 1.0 / (-F_AA.high * F_AAOmega + F_AAA * F_AOmega);
     const double t9 = t8 * (-F_A.high * F_AAA + F_AA.high * F_AA.high);
@@ -129,25 +130,25 @@ static inline void slow_flow_pairs_cusp_step(sf_pair Omega, sf_pair A, sf_pair F
    Equation from (24). Domain: Omega > 0, A > 0. */
 static inline void slow_flow_pairs_isola_step(sf_pair Omega, sf_pair A, sf_pair F_0, sf_pair m, sf_pair zeta, sf_pair h, sf_pair h_A, sf_pair h_AA, sf_pair h_AAA, double *out)
 {
-    const sf_pair Omega2 = sfp_square(Omega);
-    const sf_pair t0 = sfp_mul(A, Omega2);
-    const sf_pair R = sfp_add(h, t0);
-    const sf_pair t1 = sfp_times(2.0, Omega);
-    const sf_pair t2 = sfp_mul(A, t1);
-    const sf_pair I_ = sfp_add(m, sfp_mul(t2, zeta));
-    const sf_pair turns = sfp_add(sfp_neg(Omega2), h_A);
-    const sf_pair t3 = sfp_mul(I_, zeta);
-    const sf_pair t4 = sfp_add(sfp_mul(Omega, R), t3);
-    const sf_pair t5 = sfp_times(4.0, A);
-    const sf_pair F_Omega = sfp_mul(t4, t5);
+    const sf_pair Omega2 = SQUARE(Omega);
+    const sf_pair t0 = MUL(A, Omega2);
+    const sf_pair R = ADD(h, t0);
+    const sf_pair t1 = TIMES(2.0, Omega);
+    const sf_pair t2 = MUL(A, t1);
+    const sf_pair I_ = ADD(m, MUL(t2, zeta));
+    const sf_pair turns = ADD(NEG(Omega2), h_A);
+    const sf_pair t3 = MUL(I_, zeta);
+    const sf_pair t4 = ADD(MUL(Omega, R), t3);
+    const sf_pair t5 = TIMES(4.0, A);
+    const sf_pair F_Omega = MUL(t4, t5);
     const double turns_Omega = -t1.high;
-    const sf_pair t6 = sfp_square(zeta);
+    const sf_pair t6 = SQUARE(zeta);
     const double t7 = 2.0 * A.high;
     const double F_OmegaOmega = t5.high * (R.high + 2.0 * t0.high + t6.high * t7);
     const double t8 = Omega2.high + h_A.high;
     const double F_AOmega = 4.0 * (A.high * Omega.high * t8 + t2.high * t6.high + t4.high);
-    const sf_pair t9 = sfp_div(t6, Omega2);
-    const sf_pair excess = sfp_add(sfp_mul(sfp_square(I_), t9), sfp_mul(sfp_add(sfp_neg(F_0), I_), sfp_add(F_0, I_)));
+    const sf_pair t9 = DIV(t6, Omega2);
+    const sf_pair excess = ADD(MUL(SQUARE(I_), t9), MUL(ADD(NEG(F_0), I_), ADD(F_0, I_)));
     const double t10 = t9.high + 1.0;
     const double Omega3 = Omega.high * Omega2.high;
     const double excess_Omega = 2.0 * t3.high * (t10 * t7 - t3.high / Omega3);
@@ -170,11 +171,11 @@ static inline void slow_flow_pairs_isola_step(sf_pair Omega, sf_pair A, sf_pair 
    Equation from (24). Domain: Omega > 0, A > 0. */
 static inline void slow_flow_pairs_corner_step(sf_pair Omega, sf_pair A, sf_pair F_0, sf_pair m, sf_pair zeta, sf_pair h, sf_pair h_A, sf_pair h_AA, sf_pair h_AAA, double *out)
 {
-    const sf_pair t0 = sfp_mul(A, sfp_square(Omega));
-    const sf_pair R = sfp_add(h, t0);
-    const sf_pair t1 = sfp_times(2.0, A);
-    const sf_pair I_ = sfp_add(sfp_mul(sfp_mul(Omega, t1), zeta), m);
-    const sf_pair F = sfp_add(sfp_square(R), sfp_mul(sfp_add(sfp_neg(F_0), I_), sfp_add(F_0, I_)));
+    const sf_pair t0 = MUL(A, SQUARE(Omega));
+    const sf_pair R = ADD(h, t0);
+    const sf_pair t1 = TIMES(2.0, A);
+    const sf_pair I_ = ADD(MUL(MUL(Omega, t1), zeta), m);
+    const sf_pair F = ADD(SQUARE(R), MUL(ADD(NEG(F_0), I_), ADD(F_0, I_)));
     const double t2 = 4.0 * A.high;
     const double F_Omega = t2 * (I_.high * zeta.high + Omega.high * R.high);
     const double F_OmegaOmega = t2 * (R.high + 2.0 * t0.high + t1.high * zeta.high * zeta.high);
@@ -186,12 +187,12 @@ static inline void slow_flow_pairs_corner_step(sf_pair Omega, sf_pair A, sf_pair
    Equation from (24). Domain: Omega > 0, A > 0. */
 static inline void slow_flow_pairs_ridge_step(sf_pair Omega, sf_pair A, sf_pair F_0, sf_pair m, sf_pair zeta, sf_pair h, sf_pair h_A, sf_pair h_AA, sf_pair h_AAA, double *out)
 {
-    const sf_pair t0 = sfp_mul(A, sfp_square(Omega));
-    const sf_pair R = sfp_add(h, t0);
-    const sf_pair t1 = sfp_times(2.0, A);
-    const sf_pair I_ = sfp_add(sfp_mul(sfp_mul(Omega, t1), zeta), m);
-    const sf_pair t2 = sfp_times(4.0, A);
-    const sf_pair F_Omega = sfp_mul(t2, sfp_add(sfp_mul(I_, zeta), sfp_mul(Omega, R)));
+    const sf_pair t0 = MUL(A, SQUARE(Omega));
+    const sf_pair R = ADD(h, t0);
+    const sf_pair t1 = TIMES(2.0, A);
+    const sf_pair I_ = ADD(MUL(MUL(Omega, t1), zeta), m);
+    const sf_pair t2 = TIMES(4.0, A);
+    const sf_pair F_Omega = MUL(t2, ADD(MUL(I_, zeta), MUL(Omega, R)));
     const double F_OmegaOmega = t2.high * (R.high + 2.0 * t0.high + t1.high * zeta.high * zeta.high);
     out[0] = -F_Omega.high / F_OmegaOmega;
     out[1] = 0.0;
@@ -201,13 +202,14 @@ static inline void slow_flow_pairs_ridge_step(sf_pair Omega, sf_pair A, sf_pair 
    Equation from (24). Domain: Omega > 0, A > 0. */
 static inline void slow_flow_pairs_level_step(sf_pair Omega, sf_pair A, sf_pair F_0, sf_pair m, sf_pair zeta, sf_pair h, sf_pair h_A, sf_pair h_AA, sf_pair h_AAA, double *out)
 {
-    const sf_pair R = sfp_add(sfp_mul(A, sfp_square(Omega)), h);
-    const sf_pair I_ = sfp_add(sfp_times(2.0, sfp_mul(sfp_mul(A, Omega), zeta)), m);
-    const sf_pair F = sfp_add(sfp_square(R), sfp_mul(sfp_add(sfp_neg(F_0), I_), sfp_add(F_0, I_)));
+    const sf_pair R = ADD(MUL(A, SQUARE(Omega)), h);
+    const sf_pair I_ = ADD(TIMES(2.0, MUL(MUL(A, Omega), zeta)), m);
+    const sf_pair F = ADD(SQUARE(R), MUL(ADD(NEG(F_0), I_), ADD(F_0, I_)));
     out[0] = 0.5 * F.high / F_0.high;
     out[1] = 0.0;
 }
 
 SF_FAMILY_END
 
+#include "arithmetic_end.h"
 #endif

@@ -200,13 +200,16 @@ def matlab(module: ModuleType) -> str:
 
 def _prototypes(paths: Iterable[Path]) -> list[Prototype]:
     found = []
-    for path in paths:
-        text = Path(path).read_text(encoding="utf-8")
+    for path in map(Path, paths):
+        text = path.read_text(encoding="utf-8")
+        for name in re.findall(r'#include "(\w+_generic\.h)"', text):
+            shared = (path.parent / name).read_text(encoding="utf-8")
+            text += re.sub(r"^KERNEL (\w+) OF\((\w+)\)", rf"SF_KERNEL \1 {path.stem}_\2", shared, flags=re.MULTILINE)
         for kind, name, taken in re.findall(
-            r"^SF_(?:KERNEL|TWOFOLD) (double|void) (\w+)\(([^)]*)\)$", text, re.MULTILINE
+            r"^SF_(?:KERNEL|TWOFOLD) (double|REAL|void) (\w+)\(([^)]*)\)$", text, re.MULTILINE
         ):
             arguments = tuple(re.findall(r"(\w+)(?:,|$)", taken))
-            found.append(Prototype(name, kind == "double", arguments))
+            found.append(Prototype(name, kind != "void", arguments))
     return found
 
 

@@ -12,6 +12,7 @@ import pytest
 import slowflow_kernels
 from slowflow import languages
 from tests.backends import as_rows
+from tests.native.headers import expanded
 
 MODULES = {name: getattr(slowflow_kernels, name) for name in slowflow_kernels.MODULES}
 
@@ -77,7 +78,7 @@ def test_a_derived_mechanism_is_written_too():
 
 def test_interfaces_have_every_exported_function():
     """The library has a symbol for each name; Fortran's names are apart without regard to case."""
-    text = "".join(path.read_text(encoding="utf-8") for path in languages.headers())
+    text = "".join(expanded(path) for path in languages.headers())
     exported = re.findall(r"^SF_(?:KERNEL|TWOFOLD)\s+\w+\s+(\w+)\(", text, re.MULTILINE)
     interface = languages.fortran(languages.headers()).replace("&\n", "")
     fortran = re.findall(r"(\w+)\([^()]*\)\s*bind\(c,\s*name=\"(\w+)\"\)", interface)

@@ -25,11 +25,21 @@ WIDEST = 128
 LIBRARY = "kernels.so"
 
 
+def expanded(header: Path, declared: str = "SF_KERNEL", number: str = "double") -> str:
+    """The text of a generated header, with what it includes of functions on numbers of any kind as it has them."""
+    text = header.read_text(encoding="utf-8")
+    for name in re.findall(r'#include "(\w+_generic\.h)"', text):
+        shared = next(path for path in (header.with_name(name), *GENERATED.glob(f"*/{name}")) if path.exists())
+        own = re.sub(r"\bOF\((\w+)\)", rf"{header.stem}_\1", shared.read_text(encoding="utf-8"))
+        text += re.sub(r"\bREAL\b", number, re.sub(r"^KERNEL\b", declared, own, flags=re.MULTILINE))
+    return text
+
+
 def prototypes(folder: Path = HEADERS) -> dict[str, tuple[str, list[str]]]:
     """Return type and arguments of every function with a symbol, by name."""
     found = {}
     for header in sorted(folder.glob("*.h")):
-        for kind, name, arguments in PROTOTYPE.findall(header.read_text()):
+        for kind, name, arguments in PROTOTYPE.findall(expanded(header)):
             found[name] = (kind, [argument.strip() for argument in arguments.split(",")])
     return found
 
@@ -47,7 +57,7 @@ def called() -> set[str]:
     """
     bodies: dict[str, set[str]] = {}
     for header in sorted(HEADERS.glob("*.h")):
-        text = COMMENT.sub("", header.read_text())
+        text = COMMENT.sub("", expanded(header))
         starts = [*PROTOTYPE.finditer(text)]
         for one, following in zip(starts, [*(start.start() for start in starts[1:]), len(text)], strict=False):
             bodies[one[2]] = set(WORD.findall(text[one.end() : following]))

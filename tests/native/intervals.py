@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 
 from tests.native.compiler import HERE, ROOT, STRICT, compiled, pointer
+from tests.native.headers import expanded
 
 ELEMENTARY = (
     *("exp", "log", "root", "cbrt", "sin", "cos", "tan", "sinh", "cosh", "tanh"),
@@ -89,7 +90,7 @@ def prototypes(modules: Sequence[str]) -> dict[tuple[str, str], tuple[int, bool]
     """By module and function, of those that take intervals alone: how many, and whether an array takes the outputs."""
     found = {}
     for module in modules:
-        text = (ROOT / "generated" / "native" / f"{module}.h").read_text(encoding="utf-8")
+        text = expanded(ROOT / "generated" / "native" / f"{module}.h", "static inline", "sf_interval")
         for returned, prefix, name, arguments in PROTOTYPE.findall(text):
             declared = [one.split() for one in arguments.split(", ")]
             if prefix == module and all(kind == "sf_interval" for kind, _ in declared):

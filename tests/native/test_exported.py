@@ -30,7 +30,7 @@ def test_every_function_of_the_headers_has_a_symbol(once):
     defined = set()
     for header in headers.HEADERS.glob("*.h"):
         name = rf"^(?!SF_COMMON|static inline)\w[\w ]* ({header.stem}_\w+)\(.*"
-        defined |= {*re.findall(name, header.read_text(), re.MULTILINE)}
+        defined |= {*re.findall(name, headers.expanded(header), re.MULTILINE)}
     names = set(headers.prototypes())
     assert names == defined and len(names) > 300
     assert symbols(library) >= names

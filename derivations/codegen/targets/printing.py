@@ -177,11 +177,13 @@ class InC(Rules, C99CodePrinter):
 class SharedArctangent(InC):
     """An angle and its complement from the same arguments in the same order: they share their arctangent."""
 
+    swapped: ClassVar = "_swapped"
+
     def _print_Function(self, expr: sp.Expr) -> str:
         if expr.func is not sp.atan2:
             return super()._print_Function(expr)
         name, (y, x) = self.functions[sp.atan2], map(self._print, expr.args)
-        return f"{name}({y}, {x})" if y <= x else f"{name}_swapped({x}, {y})"
+        return f"{name}({y}, {x})" if y <= x else f"{name}{self.swapped}({x}, {y})"
 
 
 class InPython(Rules, NumPyPrinter):

@@ -10,12 +10,12 @@ from collections.abc import Sequence
 
 from ..form import Module
 from ..views import programs
-from . import ball, bounded, c, interval, numpy, pair, ufunc
+from . import ball, bounded, c, generic, interval, numpy, pair, ufunc
 
 
 def render(modules: Sequence[Module]) -> dict[str, str]:
     """All files but the manifest and the ledger."""
     code = {module.name: programs(module) for module in modules}
-    languages = (numpy, c, interval, pair, bounded, ball)
+    languages = (numpy, c, generic, interval, ball)
     files = {name: text for language in languages for name, text in language.files(modules, code).items()}
-    return files | ufunc.files(modules)
+    return files | pair.files() | bounded.files() | ufunc.files(modules)

@@ -53,6 +53,7 @@ struct sf_program {
     OPERATION(ATAN2, pair_angles_atan2(a, b)) OPERATION(ATAN2_SWAPPED, pair_angles_atan2_swapped(a, b))
 #define SF_OPERATIONS_ON_INTERVALS(OPERATION)                                                                          \
     SF_OPERATIONS_IN_BOTH(OPERATION, sfi_) SF_OPERATIONS_OF_ONE(OPERATION, sfi_) OPERATION(ATAN2, sfi_atan2(a, b))     \
+    OPERATION(ATAN2_SWAPPED, sfi_atan2(b, a))                                                                          \
     OPERATION(TIMES, sfi_times(a.lo, b)) OPERATION(WITHIN, sfi_within(a, b.lo)) OPERATION(ROOT, sfi_root(a))           \
     OPERATION(POWER, sfi_power(a, b))
 

@@ -1,15 +1,14 @@
-"""Kernels in double-double with a bound of their error: a C header for each module with any, and Carlson's series.
+"""Kernels in double-double with a bound of their error, printed for `generic`, and Carlson's series.
 
 In:  `Module`s with the straight-line code of their kernels; of these the kernels that are `bounded`.
-Out: a dict from file name (below `generated/`) to text.
+Out: `KernelView`s of C; the series' file by its name (below `generated/`).
 
-The C calls native/bounded.h and native/carlson.h, which are runtime code. Closed forms that divide by what may be small
-are evaluated so: a proof by doubles takes the doubles around the result, an answer's last digits the result itself.
+Closed forms that divide by what may be small are evaluated so: a proof by doubles takes the doubles around the result,
+an answer's last digits the result itself.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from pathlib import Path
 
 import sympy as sp
@@ -17,32 +16,20 @@ import sympy as sp
 from ....forces.elliptic import Series, carlson
 from ...form import Module
 from ...passes import straight_line
-from ...views import Code, Line, templates, view
-from .. import interval
+from ...views import Code, KernelView, Line, templates, view
 from ..c.printer import CPrinter
-from .printer import BoundedPrinter
-
-C = BoundedPrinter()
-#: what the template, which is that of intervals, says of them
-ABOUT = {
-    "number": "sf_bounded",
-    "inline": "static inline",
-    "arithmetic": "carlson",
-    "how": "in double-double with a bound of the error",
-    "meaning": "`out` takes the outputs, where there are several.",
-}
+from ..calls import CALLS
 
 
-def files(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
-    """Every file."""
+def files() -> dict[str, str]:
+    """The series."""
     integrals = templates(Path(__file__).parent).get_template("carlson.h.jinja")
-    result = {"native/bounded_carlson.h": integrals.render(series=[printed(one) for one in carlson()])}
-    for module in modules:
-        if module.bounded:
-            kernels = [view(kernel, code[module.name][kernel.name], C) for kernel in module.bounded]
-            name = name_of(module)
-            result[f"native/{name}.h"] = interval.header_of(module, name, kernels, {}, **ABOUT)
-    return result
+    return {"native/bounded_carlson.h": integrals.render(series=[printed(one) for one in carlson()])}
+
+
+def in_c(module: Module, code: Code) -> list[KernelView]:
+    """The kernels in C, printed."""
+    return [view(kernel, code[kernel.name], CALLS) for kernel in module.bounded]
 
 
 def name_of(module: Module) -> str:
@@ -60,10 +47,10 @@ def printed(series: Series) -> dict[str, object]:
     return {
         "name": series.name,
         "power": str(series.power),
-        "lets": [Line(symbol.name, C.doprint(value)) for symbol, value in program.lets],
-        "symmetric": [C.doprint(value) for value in program.outputs[:-1]],
+        "lets": [Line(symbol.name, CALLS.doprint(value)) for symbol, value in program.lets],
+        "symmetric": [CALLS.doprint(value) for value in program.outputs[:-1]],
         "names": [symbol.name for symbol in in_doubles.values()],
-        "first": C.doprint(program.outputs[-1]),
+        "first": CALLS.doprint(program.outputs[-1]),
         "rest_lets": [Line(symbol.name, show(value)) for symbol, value in rest.lets],
         "rest": show(rest.outputs[0]),
     }

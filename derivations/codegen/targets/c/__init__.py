@@ -32,6 +32,7 @@ from ...views import (
     view,
 )
 from ..printing import literal, stated
+from ..shared import in_both
 from . import records, taylor
 from .printer import CPrinter
 
@@ -43,6 +44,8 @@ def files(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
     environment = templates(Path(__file__).parent)
     result = {
         "c/inline.h": environment.get_template("inline.h.jinja").render(),
+        "c/arithmetic_doubles.h": environment.get_template("arithmetic_doubles.h.jinja").render(),
+        "c/arithmetic_end.h": environment.get_template("arithmetic_end.h.jinja").render(),
         "c/angles.h": environment.get_template("angles.h.jinja").render(**angles()),
     }
     with_symbols = headers(modules, code)
@@ -62,12 +65,15 @@ def headers(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
     result = {}
     for module in (one for one in modules if one.in_c):
         of_module = code[module.name]
-        kernels = [one for one in module.kernels if one.in_c]
+        folder, both = in_both(module, of_module)
+        included = {one.kernel.name for one in both} if folder == "c" else set()
+        kernels = [one for one in module.kernels if one.in_c and one.name not in included]
         shared = with_calls(kernels, of_module, PRINTER)
         views = [view(one, of_module[one.name], PRINTER, shared[one.name]) for one in kernels]
         repeated = repeated_views(of_module | shared, PRINTER)
         result[f"c/{module.name}.h"] = environment.get_template("header.h.jinja").render(
             module=module,
+            includes_generic=bool(included),
             kernels=views,
             repeated=repeated,
             twofolds=[twofold_view(kernel, PRINTER) for kernel in module.twofolds],

@@ -1,43 +1,34 @@
-"""Kernels on whole intervals of their arguments: a C header and a Python module for each module that has any.
+"""Kernels on whole intervals of their arguments: those in C printed for `generic`, and modules in Python.
 
 In:  `Module`s with the straight-line code of their kernels; of these the kernels that say `enclosed`, and `cells`.
-Out: a dict from file name (below `generated/`) to text.
+Out: `KernelView`s of C, and a dict from file name (below `generated/`) to text of Python.
 
-The C calls native/interval.h, which is runtime code; the Python takes objects with operators, `square` and `sqrt`,
-and has what the search along the amplitude asks, and proofs in balls. In C a let that stands for a series cut short
-is widened by the bound that the derivation gives. By how much an amplitude exceeds the breakpoint where its piece
-begins is an argument of its own: the difference would lose its digits next to a breakpoint that is known to a
-rounding only.
+The Python takes objects with operators, `square` and `sqrt`, and has what the search along the amplitude asks, and
+proofs in balls. In C a let that stands for a series cut short is widened by the bound that the derivation gives. By how
+much an amplitude exceeds the breakpoint where its piece begins is an argument of its own: the difference would lose its
+digits next to a breakpoint that is known to a rounding only.
 """
 
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 
 import sympy as sp
 
 from ....symbols import A
+from ...common import LEAST_SAVED
 from ...form import Branch, Kernel, Module
 from ...passes import Program
-from ...views import BranchView, Code, KernelView, RepeatedView, heading, repeated_views, templates, view
+from ...views import BranchView, Code, KernelView, heading, templates, view
+from ..calls import AS_OPERATORS, CALLS, CallPrinter
 from ..printing import literal
-from .printer import CEnclosurePrinter, CIntervalPrinter, PythonIntervalPrinter
+from .printer import CEnclosurePrinter, PythonIntervalPrinter
 
 #: how much an amplitude exceeds the breakpoint where its piece begins
 BEYOND = sp.Symbol("beyond", nonnegative=True)
-C = CIntervalPrinter()
-#: what the template says of intervals
-ABOUT = {
-    "number": "sf_interval",
-    "inline": "static inline",
-    "arithmetic": "interval",
-    "how": "on whole intervals",
-    "meaning": "Each output holds every value that the function of the same name takes on the arguments; `out` takes "
-    "the outputs.",
-}
-#: the same of the Python
+#: what the template says of them in Python
 IN_PYTHON = {
     "how": "on whole intervals",
     "meaning": "Each output holds every value that the function of the same name takes on the arguments: objects with "
@@ -49,40 +40,32 @@ PYTHON = PythonIntervalPrinter()
 
 
 def files(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
-    """Every file of both languages."""
+    """Every file in Python."""
     result = {}
     for module in modules:
-        # a proof takes h_AAA to be monotone
-        enclosed = [] if module.enclosed else [*(one for one in module.kernels if one.enclosed), *module.cells]
-        name = name_of(module)
-        if module.enclosed:
-            kernels = [view(kernel, code[module.name][kernel.name], ENCLOSED) for kernel in module.enclosed.kernels]
-            result[f"native/{name}.h"] = header_of(module, name, kernels, {}, **{**ABOUT, "arithmetic": "elementary"})
-        if enclosed:
-            of_module = {kernel.name: code[module.name][kernel.name] for kernel in enclosed}
-            kernels = [widened(kernel, of_module[kernel.name]) for kernel in enclosed]
-            choices = {kernel.name: choice(kernel) for kernel in enclosed if len(kernel.branches) > 1}
-            repeated = repeated_views(of_module, C)
-            result[f"native/{name}.h"] = header_of(module, name, kernels, choices, repeated, **ABOUT)
         searched = [kernel for kernel in (*module.kernels, *module.cells) if kernel.searched]
         if searched:
             kernels = [view(kernel, code[module.name][kernel.name], PYTHON) for kernel in searched]
-            result[f"slowflow_kernels/{name}.py"] = module_of(module, kernels, imports=[], **IN_PYTHON)
+            result[f"slowflow_kernels/{name_of(module)}.py"] = module_of(module, kernels, imports=[], **IN_PYTHON)
     return result
 
 
-def header_of(
-    module: Module,
-    name: str,
-    kernels: Sequence[KernelView],
-    choices: Mapping[str, Sequence[tuple[str, str]]],
-    repeated: Sequence[RepeatedView] = (),
-    **about: str,
-) -> str:
-    """A header of kernels on numbers of one kind, whose names begin with `name`."""
-    template = templates(Path(__file__).parent).get_template("header.h.jinja")
-    known = {"module": module, "heading": heading(module), "in_doubles": in_doubles(module), **about}
-    return template.render(prefix=name, kernels=kernels, choices=choices, repeated=repeated, **known)
+def in_c(module: Module, code: Code) -> list[KernelView]:
+    """The kernels in C, printed."""
+    if module.enclosed:
+        return [view(kernel, code[kernel.name], ENCLOSED) for kernel in module.enclosed.kernels]
+    enclosed = (*(one for one in module.kernels if one.enclosed), *module.cells)
+    printer = AS_OPERATORS if as_doubles(module, code) else CALLS
+    return [on_interval(kernel, code[kernel.name], printer) for kernel in enclosed]
+
+
+def as_doubles(module: Module, code: Code) -> list[KernelView]:
+    """The kernels as doubles have them, of a module without pairs: functions of numbers alone, if that saves lines."""
+    if not module.in_c or module.settled or any(one.paired for one in (*module.kernels, *module.cells)):
+        return []
+    both = [one for one in module.kernels if one.in_c and one.enclosed and not one.parameters]
+    lines = sum(len(program.lets) + len(program.outputs) for one in both for program in code[one.name])
+    return [view(one, code[one.name], AS_OPERATORS) for one in both] if lines >= LEAST_SAVED else []
 
 
 def module_of(module: Module, kernels: Sequence[KernelView], imports: Sequence[str], **about: str) -> str:
@@ -102,10 +85,14 @@ def name_of(module: Module) -> str:
     return f"{module.name}_intervals"
 
 
-def widened(kernel: Kernel, code: Sequence[Program]) -> KernelView:
-    """A kernel printed, its series widened by what they leave out."""
-    printed = view(*(beyond_breakpoints(kernel, code) if len(kernel.branches) > 1 else (kernel, code)), C)
-    branches = (widened_branch(*both) for both in zip(printed.branches, kernel.branches, strict=True))
+def on_interval(kernel: Kernel, code: Sequence[Program], printer: CallPrinter = CALLS) -> KernelView:
+    """A kernel printed."""
+    return widened(view(*(beyond_breakpoints(kernel, code) if len(kernel.branches) > 1 else (kernel, code)), printer))
+
+
+def widened(printed: KernelView) -> KernelView:
+    """A kernel's series widened by what they leave out."""
+    branches = (widened_branch(*both) for both in zip(printed.branches, printed.kernel.branches, strict=True))
     return dataclasses.replace(printed, branches=tuple(branches))
 
 
@@ -128,22 +115,20 @@ def widened_branch(printed: BranchView, branch: Branch) -> BranchView:
     if not bounds.keys() <= {line.name for line in printed.lets}:
         raise NotImplementedError(f"{branch.name}: a series cut short has no line of its own")
     lets = (
-        dataclasses.replace(line, value=f"sfi_within({line.value}, {bounds[line.name]})")
-        if line.name in bounds
-        else line
+        dataclasses.replace(line, value=f"WITHIN({line.value}, {bounds[line.name]})") if line.name in bounds else line
         for line in printed.lets
     )
     return dataclasses.replace(printed, lets=tuple(lets))
 
 
-def choice(kernel: Kernel) -> list[tuple[str, str]]:
+def choice(printed: KernelView) -> list[tuple[str, str]]:
     """The condition and the name of each branch; the last holds where no other does.
 
     Branches are chosen by the number of breakpoints passed; a series far from these where all of the interval lies far.
     """
-    show = C.doprint
+    show = CALLS.doprint
     found = []
-    for branch in kernel.branches:
+    for branch in printed.kernel.branches:
         near = [f"{show(left)}.lo <= {show(right)}.hi" for left, right in branch.guards if not right.is_Symbol]
         found.append((" && ".join([f"passed == {branch.passed}", *near]), branch.name))
     return found

@@ -1,16 +1,14 @@
-"""Kernels in double-double: a C header for each module that has any, and their arctangent's series.
+"""Kernels in double-double, printed for `generic`, and their arctangent's series.
 
 In:  `Module`s with the straight-line code of their kernels; of these the kernels that say `paired`, and `settled`.
-Out: a dict from file name (below `generated/`) to text.
+Out: `KernelView`s of C; the series' file by its name (below `generated/`).
 
-The C calls native/pair.h and native/pair_angles.h, which are runtime code. A kernel that says which lets are to be
-pairs computes what follows from these in doubles. Where a kernel has a series cut short for a double far from a
-breakpoint, the closed form is taken until the series has a pair's digits.
+A kernel that says which lets are to be pairs computes what follows from these in doubles. Where a kernel has a series
+cut short for a double far from a breakpoint, the closed form is taken until the series has a pair's digits.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -21,43 +19,26 @@ from ....symbols import A
 from ...arctangent import PAIRS_CUT, in_pairs
 from ...form import Kernel, Module
 from ...passes import Program
-from ...views import BranchView, Code, KernelView, Line, repeated_views, templates, view, wrapped
+from ...views import BranchView, Code, KernelView, Line, templates, view, wrapped
 from .. import interval
 from ..c.printer import CPrinter
+from ..calls import CALLS, high_and_low
 from ..printing import literal
-from .printer import PairPrinter, high_and_low
 
-C = PairPrinter()
 DOUBLES = CPrinter()
 
-#: what the template, which is that of intervals, says of pairs
-ABOUT = {
-    "number": "sf_pair",
-    "inline": "TWOFOLD_INLINE",
-    "arithmetic": "pair_angles",
-    "how": "in double-double",
-    "meaning": "`out` takes the outputs, where there are several.",
-}
 
-
-def files(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
-    """Every file."""
+def files() -> dict[str, str]:
+    """The series."""
     angle = templates(Path(__file__).parent).get_template("angles.h.jinja").render(**angles())
-    return {"native/pair_angle_series.h": angle} | headers(modules, code)
+    return {"native/pair_angle_series.h": angle}
 
 
-def headers(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
-    """The header of each module."""
-    result = {}
-    for module in modules:
-        paired = [*(one for one in (*module.kernels, *module.cells) if one.paired), *module.settled]
-        if paired:
-            kernels = [near(kernel, code[module.name]) for kernel in paired]
-            choices = {one.kernel.name: choice(one) for one in kernels if len(one.branches) > 1}
-            name = name_of(module)
-            repeated = repeated_views({kernel.name: code[module.name][kernel.name] for kernel in paired}, C)
-            result[f"native/{name}.h"] = interval.header_of(module, name, kernels, choices, repeated, **ABOUT)
-    return result
+def in_c(module: Module, code: Code) -> list[KernelView]:
+    """The kernels in C, printed."""
+    paired = (*(one for one in (*module.kernels, *module.cells) if one.paired), *module.settled)
+    # on intervals what a series leaves out is more than nothing
+    return [interval.widened(near(kernel, code)) for kernel in paired]
 
 
 def name_of(module: Module) -> str:
@@ -102,7 +83,7 @@ def closed(kernel: Kernel, code: Code) -> tuple[Kernel, list[Program]]:
 def near(kernel: Kernel, code: Code) -> KernelView:
     """The same printed."""
     kernel, programs = by_far(kernel, code)
-    printed = view(kernel, programs, C)
+    printed = view(kernel, programs, CALLS)
     if not kernel.to_pairs:
         return printed
     branches = (rest_in_doubles(*both, kernel) for both in zip(printed.branches, programs, strict=True))
@@ -116,13 +97,13 @@ def rest_in_doubles(printed: BranchView, program: Program, kernel: Kernel) -> Br
         if symbol in needed:
             needed |= value.free_symbols
     pairs = {*kernel.arguments, *needed}
-    high = {symbol: sp.Symbol(f"{C.doprint(symbol)}.high") for symbol in pairs}
+    high = {symbol: sp.Symbol(f"{CALLS.doprint(symbol)}.high") for symbol in pairs}
     show = DOUBLES.doprint
 
     def line(one: Line, symbol: sp.Symbol, value: sp.Expr) -> Line:
         if symbol in needed:
             return one
-        return Line(one.name, wrapped(show(value.xreplace(high)), len(one.name) + 3, C), "double")
+        return Line(one.name, wrapped(show(value.xreplace(high)), len(one.name) + 3, CALLS), "double")
 
     lets = tuple(line(one, *let) for one, let in zip(printed.lets, program.lets, strict=True))
     outputs = tuple(show(output.xreplace(high)) for output in program.outputs)

@@ -22,6 +22,7 @@ from ...views import Code, KernelView, view
 from .. import interval, pair
 from ..c import PRINTER as C
 from ..c.records import SUMS
+from ..calls import CALLS
 from ..printing import literal
 from . import motion as motion
 from .assembler import DOUBLES, INTERVALS, PAIRS, Function, Program, function
@@ -137,9 +138,9 @@ class Recorder(Encoder):
         module = self.module
         kernels = (*(one for one in (*module.kernels, *module.cells) if one.paired), *module.settled)
         printed = pair.near(named(kernels, name), self.code)
-        show, far = pair.C.doprint, literal(FAR_IN_PAIRS)
+        show, far = CALLS.doprint, literal(FAR_IN_PAIRS)
         sides = [
-            [(f"sfp_times({far}, {show(one)})", show(other)) for one, other in branch.guards]
+            [(f"TIMES({far}, {show(one)})", show(other)) for one, other in branch.guards]
             for branch in printed.kernel.branches
         ]
         return function(printed, PAIRS, by_passed(printed, sides))
@@ -148,8 +149,8 @@ class Recorder(Encoder):
         """A kernel on intervals."""
         module = self.module
         kernels = (*(one for one in module.kernels if one.enclosed), *module.cells)
-        printed = interval.widened(named(kernels, name), self.code[name])
-        show = interval.C.doprint
+        printed = interval.on_interval(named(kernels, name), self.code[name])
+        show = CALLS.doprint
         sides = [
             [(show(one), show(other)) for one, other in branch.guards if not other.is_Symbol]
             for branch in printed.kernel.branches

@@ -29,36 +29,30 @@ ULP = 2.0**-52
 
 @dataclass(frozen=True)
 class Arithmetic:
-    """How C spells an arithmetic: the prefix of its functions, those with other names, and its constants."""
+    """How C spells an arithmetic: what makes its constants, and functions with other names than the operations have."""
 
-    prefix: str
-    names: dict[str, str]
-    point: Callable[[float], Constant]
-    constants: dict[str, Callable[..., Constant]] = field(default_factory=dict)
+    constants: dict[str, Callable[..., Constant]]
+    names: dict[str, str] = field(default_factory=dict)
 
     def operation(self, function: str) -> str:
         """The operation that a C function is. Raises Unprintable for one that is none."""
-        name = self.names.get(function, function.removeprefix(self.prefix))
+        name = self.names.get(function, function.lower().removeprefix("sfi_"))
         if name not in OPCODES:
             raise Unprintable(f"no operation of a program: {function}")
         return name
 
+    def point(self, number: float) -> Constant:
+        """A double."""
+        return self.constants["POINT"](number)
 
-ANGLES = {"atan2": "atan2", "atan2_swapped": "atan2_swapped"}
+
 DOUBLES = Arithmetic(
-    "", {"pow": "power", "fabs": "abs"} | {f"angles_{name}": name for name in ANGLES}, lambda x: (x, 0.0)
+    {"POINT": lambda x: (x, 0.0)},
+    {"pow": "power", "fabs": "abs"} | {f"angles_{name}": name for name in ("atan2", "atan2_swapped")},
 )
-PAIRS = Arithmetic(
-    "sfp_",
-    {f"pair_angles_{name}": name for name in ANGLES},
-    lambda x: (x, 0.0),
-    {"sfp_point": lambda x: (x, 0.0), "sfp_of": lambda high, low: (high, low)},
-)
+PAIRS = Arithmetic({"POINT": lambda x: (x, 0.0), "CONSTANT": lambda high, low: (high, low)})
 INTERVALS = Arithmetic(
-    "sfi_",
-    {},
-    lambda x: (x, x),
-    {"sfi_point": lambda x: (x, x), "sfi_around": lambda x: (x - ULP * abs(x), x + ULP * abs(x))},
+    {"POINT": lambda x: (x, x), "CONSTANT": lambda high, _: (high - ULP * abs(high), high + ULP * abs(high))}
 )
 
 
