@@ -238,6 +238,19 @@ static void sf_add_point(sf_law_points *found, const sf_law_point *point) {
         found->at[found->n++] = *point;
 }
 
+/* Omega of a fold that was found by R, by a step of Newton's method in it: from R it has the roundings of h besides. A
+ * is kept, of which that step would lose digits where R is small. */
+static void sf_polish_Omega(const sf_law_search *search, sf_law_point *point) {
+    sf_law_point at_w = *point;
+    double f[6];
+    at_w.by_w = 1, at_w.u = search->far ? 1 / point->Omega : point->Omega;
+    const sf_sample at = sf_sample_at(search->model, point->A);
+    sf_functions_at(search, &at, &at_w, f);
+    const double w = at_w.u - (f[2] * f[1] - f[0] * f[4]) / (f[2] * f[5] - f[3] * f[4]);
+    if (fabs(w - at_w.u) <= SF_CLOSE * at_w.u)
+        point->Omega = search->far ? 1 / w : w;
+}
+
 /* The level at a point by R itself, of which A Omega^2 + h may leave little: as at A = 0 with R for h and I for m. */
 static double sf_level_at_point(const sf_law_search *search, const sf_law_point *point) {
     const double w = point->Omega, R = search->far ? point->R * w * w : point->R;
@@ -268,6 +281,8 @@ static int sf_settle_point(sf_law_search *search, sf_law_box *box, double middle
         if (!sfi_has_sign(sf_determinant(slopes)))
             return 0;
     }
+    if (!point.by_w && search->system == SF_LAW_FOLDS)
+        sf_polish_Omega(search, &point);
     sf_add_point(&search->found, &point);
     return 1;
 }
