@@ -151,6 +151,28 @@ def test_quadratic_damping_alone_has_folds_down_to_rest(make):
     assert onset.kind == "" and "no lowest forcing" in onset.message
 
 
+@pytest.mark.parametrize(
+    ("lam", "r", "delta_h", "mu", "zeta", "F_0"),
+    [
+        (
+            4.0,
+            1.1402839646819989,
+            0.005646197546418331,
+            0.0024710126126467453,
+            0.004237362056391113,
+            0.0898356292564184,
+        ),
+        (5.0, 0.6684663406897262, 0.006493548195649551, 0.00427188387645136, 0.001196034898699234, 0.09543477177452038),
+    ],
+)
+def test_two_folds_next_to_a_corner_are_two_by_laws_too(lam, r, delta_h, mu, zeta, F_0):
+    """1e-13 above u_cr a proof's box reached beyond it, and the fold there was lost; c_2 is too small to move any."""
+    mount = Isolator(lam=lam, r=r, delta_h=delta_h, mu=mu, zeta=zeta, excitation="base")
+    plain, folds = mount.saddle_nodes(F_0), mount.replace(c_2=1e-13).saddle_nodes(F_0)
+    assert Remark.UNDECIDED not in folds.remarks and folds.corner.tolist() == [True, False]
+    np.testing.assert_allclose([folds.Omega, folds.A], [plain.Omega, plain.A], rtol=1e-14)
+
+
 def test_laws_that_are_not_there_change_nothing():
     parameters = {"lam": 3.0, "r": 2.0, "delta_h": 0.08, "mu": 0.012, "zeta": 0.04}
     plain, same = Isolator(**parameters), Isolator(**parameters, eta=0.0, c_2=0.0, contact="throughout")

@@ -379,7 +379,7 @@ static sf_status sf_locus_folds(const sf_model *model, double F_0, sf_work *work
     const sf_status status = sf_fold_locus(model, work->A_max, 1, work);
     if (status != SF_OK)
         return status;
-    folds->n = 0, folds->undecided = work->extrema.undecided, folds->status = SF_OK;
+    folds->undecided |= work->extrema.undecided;
     for (int i = 0; i < work->locus.arcs; i++) {
         const sf_arc *arc = &work->locus.arc[i];
         double Omega;
@@ -416,11 +416,14 @@ static sf_status sf_forced_folds(const sf_model *model, double F_0, sf_work *wor
     return SF_OK;
 }
 
-/* By other laws of damping, or of an excitation by inertia: points of a system (points.h). */
+/* By other laws of damping, or of an excitation by inertia: points of a system (points.h). What these leave open by
+ * inertia the locus has, though that takes several times as long. */
 static sf_status sf_searched_folds(const sf_model *model, double F_0, sf_work *work, sf_folds *folds) {
     const sf_law_points *found = &work->points.found;
     sf_stretches_up_to(model, work->A_max, &work->pieces);
     sf_search_pieces(model, SF_LAW_FOLDS, F_0, &work->pieces, &work->points);
+    if (!sf_has_laws(model) && (found->status != SF_OK || found->undecided > 0))
+        return sf_locus_folds(model, F_0, work, folds);
     folds->undecided = found->undecided > 0;
     for (int i = 0; i < found->n; i++) {
         const sf_sample at = sf_sample_at(model, found->at[i].A);
@@ -442,12 +445,9 @@ static sf_status sf_saddle_nodes(const sf_model *model, double F_0, sf_work *wor
     sf_status status = sf_range_at(model, F_0, &work->A_max);
     if (status != SF_OK && status != SF_UNBOUNDED)
         return status;
-    const int by_locus = sf_inertial(model) && !sf_has_laws(model);
-    status = sf_is_searched(model) ? sf_searched_folds(model, F_0, work, folds)
-             : by_locus            ? SF_UNRESOLVED
-                                   : sf_forced_folds(model, F_0, work, folds);
-    if (by_locus && (status != SF_OK || folds->undecided)) /* which takes several times as long */
-        status = sf_locus_folds(model, F_0, work, folds);
+    status = (sf_is_searched(model) ? sf_searched_folds
+              : sf_inertial(model)  ? sf_locus_folds
+                                    : sf_forced_folds)(model, F_0, work, folds);
     if (status != SF_OK)
         return status;
     sf_corner_folds(model, F_0, work, folds);
