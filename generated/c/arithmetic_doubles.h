@@ -4,6 +4,8 @@
 
 #include <math.h>
 
+#include "arithmetic_begin.h"
+
 #define REAL double
 #define KERNEL SF_KERNEL
 #define POINT(number) (number)

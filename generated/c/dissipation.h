@@ -16,8 +16,8 @@
 
 #include "inline.h"
 
-#define OF(name) dissipation_##name
 #include "arithmetic_doubles.h"
+#define OF(name) dissipation_##name
 #include "dissipation_generic.h"
 #include "arithmetic_end.h"
 

@@ -16,8 +16,8 @@
 
 #include "inline.h"
 
-#define OF(name) inertia_##name
 #include "arithmetic_doubles.h"
+#define OF(name) inertia_##name
 #include "inertia_generic.h"
 #include "arithmetic_end.h"
 

@@ -11,9 +11,8 @@
 
 #include "interval.h"
 #include "inline.h"
-
-#define OF(name) dissipation_intervals_##name
 #include "arithmetic_intervals.h"
+#define OF(name) dissipation_intervals_##name
 #include "dissipation_generic.h"
 
 /* D/Omega^2 at x = 1/Omega, where F_AOmega/(4 Omega) = R + A R_A + D without cubic damping. */

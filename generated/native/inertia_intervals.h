@@ -10,9 +10,8 @@
 
 #include "interval.h"
 #include "inline.h"
-
-#define OF(name) inertia_intervals_##name
 #include "arithmetic_intervals.h"
+#define OF(name) inertia_intervals_##name
 #include "inertia_generic.h"
 
 #include "arithmetic_end.h"

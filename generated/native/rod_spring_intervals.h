@@ -10,9 +10,8 @@
 
 #include "interval.h"
 #include "inline.h"
-
-#define OF(name) rod_spring_intervals_##name
 #include "arithmetic_intervals.h"
+#define OF(name) rod_spring_intervals_##name
 #include "rod_spring_generic.h"
 
 /* h, h_A, h_AA, h_AAA, h - A h_A together.

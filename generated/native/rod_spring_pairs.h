@@ -10,9 +10,8 @@
 
 #include "pair_angles.h"
 #include "inline.h"
-
-#define OF(name) rod_spring_pairs_##name
 #include "arithmetic_pairs.h"
+#define OF(name) rod_spring_pairs_##name
 #include "rod_spring_generic.h"
 
 /* h, h_A, h_AA, h_AAA, h - A h_A together.

@@ -10,9 +10,8 @@
 
 #include "interval.h"
 #include "inline.h"
-
-#define OF(name) rod_spring_untruncated_intervals_##name
 #include "arithmetic_intervals.h"
+#define OF(name) rod_spring_untruncated_intervals_##name
 #include "rod_spring_untruncated_generic.h"
 
 #include "arithmetic_end.h"

@@ -10,9 +10,8 @@
 
 #include "pair_angles.h"
 #include "inline.h"
-
-#define OF(name) rod_spring_untruncated_pairs_##name
 #include "arithmetic_pairs.h"
+#define OF(name) rod_spring_untruncated_pairs_##name
 #include "rod_spring_untruncated_generic.h"
 
 #include "arithmetic_end.h"

@@ -12,7 +12,7 @@ import sympy as sp
 
 from slowflow import derive
 from tests.native import headers
-from tests.native.compiler import COMPILER
+from tests.native.compiler import COMPILER, compiled
 
 pytestmark = pytest.mark.skipif(COMPILER is None, reason="there is no C compiler")
 
@@ -34,6 +34,24 @@ def test_every_function_of_the_headers_has_a_symbol(once):
     names = set(headers.prototypes())
     assert names == defined and len(names) > 300
     assert symbols(library) >= names
+
+
+def test_headers_leave_macros_of_the_program(tmp_path):
+    """REAL, ADD, ... of a program that includes the headers are what they were."""
+    lines = [
+        "#define REAL 1",
+        "#define ADD 2",
+        '#include "dissipation.h"',
+        "#ifdef MUL",
+        "#error MUL is defined",
+        "#endif",
+    ]
+    lines.append("int main(void) { return REAL + ADD - 3; }")
+    (source := tmp_path / "program.c").write_text("\n".join([*lines, ""]))
+    program = compiled(
+        tmp_path / "program", source, options=["-std=c99", "-w", f"-I{headers.HEADERS}"], compiler=COMPILER
+    )
+    subprocess.run([program], check=True)
 
 
 @pytest.mark.slow

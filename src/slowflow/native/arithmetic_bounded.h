@@ -1,5 +1,7 @@
 /* What generated text on numbers of any kind (*_generic.h, arithmetic_end.h) means in double-double with a bound of the
  * error (bounded.h). */
+#include "arithmetic_begin.h"
+
 #define REAL sf_bounded
 #define KERNEL static inline
 #define POINT sfb_point

@@ -1,4 +1,6 @@
 /* What generated text on numbers of any kind (*_generic.h, arithmetic_end.h) means on intervals (interval.h). */
+#include "arithmetic_begin.h"
+
 #define REAL sf_interval
 #define KERNEL static inline
 #define POINT sfi_point

@@ -1,4 +1,6 @@
 /* What generated text on numbers of any kind (*_generic.h, arithmetic_end.h) means in double-double (pair.h). */
+#include "arithmetic_begin.h"
+
 #define REAL sf_pair
 #define KERNEL TWOFOLD_INLINE
 #define POINT sfp_point

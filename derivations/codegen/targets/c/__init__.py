@@ -38,6 +38,11 @@ from .printer import CPrinter
 
 PRINTER = CPrinter()
 
+#: of text on numbers of any kind: what arithmetic_*.h defines for a kind, and OF
+MACROS = (
+    "OF REAL KERNEL POINT CONSTANT ADD SUB MUL DIV TIMES NEG INVERSE SQUARE BY_SQUARE SQRT ATAN2 ATAN2_SWAPPED WITHIN"
+).split()
+
 
 def files(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
     """Every file of this language."""
@@ -45,7 +50,10 @@ def files(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
     result = {
         "c/inline.h": environment.get_template("inline.h.jinja").render(),
         "c/arithmetic_doubles.h": environment.get_template("arithmetic_doubles.h.jinja").render(),
-        "c/arithmetic_end.h": environment.get_template("arithmetic_end.h.jinja").render(),
+        **{
+            f"c/{name}.h": environment.get_template(f"{name}.h.jinja").render(macros=MACROS)
+            for name in ("arithmetic_begin", "arithmetic_end")
+        },
         "c/angles.h": environment.get_template("angles.h.jinja").render(**angles()),
     }
     with_symbols = headers(modules, code)
