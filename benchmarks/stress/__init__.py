@@ -7,7 +7,6 @@ roots      errors and counts of the roots in Omega
 answers    errors of what an oscillator says
 counts     numbers of states and folds against proved ones
 scale      the same by the million, against proofs at run time: a command of its own
-instead    the same with what one would write without slowflow
 page       docs/stability.md and its pictures
 
 `python -m benchmarks.stress` measures and writes all of it.

@@ -22,14 +22,14 @@ from typing import Any
 
 from benchmarks import environment
 from benchmarks.document import DOCS, RESULTS
-from benchmarks.stress import answers, baseline, counts, instead, kernels, proofs, roots, scale
+from benchmarks.stress import answers, baseline, counts, kernels, proofs, roots, scale
 from tests.oracles.kernels import scene_of
 
 #: what can be measured separately
 OF_COUNTS = ("counts", "counts against proofs")
 #: of shares that are summed
 AGAINST_PROOFS = ("counts against proofs",)
-GROUPS = ("answers", *OF_COUNTS, "proofs", "roots", "instead", "kernels", "extremes")
+GROUPS = ("answers", *OF_COUNTS, "proofs", "roots", "kernels", "extremes")
 #: shares into which answers and counts are cut
 SHARES = 8
 #: oscillators of each share of the counts against proofs: with one forcing, and with many frequencies
@@ -71,7 +71,6 @@ def jobs(size: float) -> dict[str, list[Job]]:
         ],
         "proofs": [(proofs.stress, (part, many(125))) for part in range(SHARES)],
         "roots": [(roots.stress, (kind, family, many(4000, 50), many(1500))) for kind, family in roots.jobs()],
-        "instead": [(instead.quartics, (many(2000, 50), roots.SEED))],
         "kernels": [(kernels.stress, (module, kernel, size)) for module, kernel in kernels.named()],
         "extremes": [
             (extremes, (module, kernel, many(4, 4))) for module, kernel in kernels.named() if scene_of(module)[1] == ""

@@ -17,7 +17,6 @@ from typing import Any
 
 import numpy as np
 
-from benchmarks.stress import instead
 from benchmarks.stress.answers import NAMES, design, oscillator
 from benchmarks.stress.domains import ulps
 from benchmarks.stress.search import Point
@@ -34,7 +33,6 @@ ORACLES = {"rod_spring": RodSpring, "duffing": Duffing}
 #: forcings to an oscillator and frequency, and to an oscillator
 FORCINGS = {"states": 150, "folds": 60}
 FREQUENCIES = 4
-#: share of the forcings that is asked without compiled code, which takes a hundred times longer
 #: share of what doubles leave undecided that balls are asked, which take tens of milliseconds
 ASKED_OF_BALLS = 0.1
 #: what is counted: cases, those next to a level, those that doubles say they do not decide, of them next to a level,
@@ -42,8 +40,6 @@ ASKED_OF_BALLS = 0.1
 NUMBERS = ("cases", "beside", "said", "said beside", "wrong beside", "balls", "open", "wrong by balls", "unproved")
 #: right ones kept of each mechanism and question, by doubles and by balls: those next to a level
 HARD = 3
-#: of them go to what one would write instead
-COMPARED = 1
 
 
 def forcings(number: int, levels: list[float], m: float, rng: np.random.Generator) -> Iterator[float]:
@@ -96,14 +92,11 @@ def by_balls(kind: str, iso: Any, at: Point) -> tuple[int, bool]:
     return len(answer), Remark.UNDECIDED in answer.remarks
 
 
-def stress(
-    mechanism: str, part: int, oscillators: int, forcings_share: float = 1.0, compared: bool = True
-) -> dict[str, Any]:
-    """A share of the oscillators: cases and wrong counts, decided and not; `compared` with other ways beside it."""
+def stress(mechanism: str, part: int, oscillators: int) -> dict[str, Any]:
+    """A share of the oscillators: cases and wrong counts, decided and not."""
     rng = np.random.default_rng([SEED, part, len(mechanism)])
     table: dict[str, dict[str, Any]] = {
-        kind: {**dict.fromkeys(NUMBERS, 0), "wrong": [], "refused": [], "hard": [], "instead": {}}
-        for kind in ("states", "folds")
+        kind: {**dict.fromkeys(NUMBERS, 0), "wrong": [], "refused": [], "hard": []} for kind in ("states", "folds")
     }
     for _ in range(oscillators):
         try:
@@ -119,16 +112,16 @@ def stress(
             except (SlowflowError, NotImplementedError):
                 row["unproved"] += 1
                 continue
-            for k, F_0 in enumerate(forcings(round(FORCINGS[kind] * forcings_share), levels, iso.model.m, rng)):
+            for F_0 in forcings(FORCINGS[kind], levels, iso.model.m, rng):
                 again = rng.random() < ASKED_OF_BALLS
-                _one(row, kind, iso, (*own, F_0, Omega), truth, again, compared and k < COMPARED)
+                _one(row, kind, iso, (*own, F_0, Omega), truth, again)
     for row in table.values():
         row["hard"] = [h for by in ("doubles", "balls") for h in sorted(h for h in row["hard"] if h[1] == by)[:HARD]]
     return {"mechanism": mechanism, "names": NAMES[mechanism], **table}
 
 
-def _one(row: dict[str, Any], kind: str, iso: Any, at: Point, truth: Any, again: bool, compared: bool) -> None:
-    F_0, Omega = at[-2:]
+def _one(row: dict[str, Any], kind: str, iso: Any, at: Point, truth: Any, again: bool) -> None:
+    F_0 = at[-2]
     try:
         number = truth.count(F_0)
     except NotSettled:
@@ -154,11 +147,6 @@ def _one(row: dict[str, Any], kind: str, iso: Any, at: Point, truth: Any, again:
             row["wrong"].append((at, number_found, number, *distance))
     if not undecided and number_found == number and math.isfinite(distance[0]):
         row["hard"].append((distance[0], "doubles", at, number))
-    if compared and not close:
-        for name, count in instead.counts(kind, iso, Omega, F_0).items():
-            tally = row["instead"].setdefault(name, [0, 0])
-            tally[0] += 1
-            tally[1] += count != number
 
 
 def _asked_again(row: dict[str, Any], kind: str, iso: Any, at: Point, number: int, units: float) -> None:

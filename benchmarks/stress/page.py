@@ -180,15 +180,11 @@ def totals(found: list[Numbers]) -> list[Numbers]:
     out: dict[tuple[str, str], Numbers] = {}
     for kind, row in itertools.product(("states", "folds"), found):
         mine, mechanism = row[kind], row["mechanism"]
-        none: Numbers = {"wrong": [], "refused": [], "instead": {}, **dict.fromkeys(counts.NUMBERS, 0)}
+        none: Numbers = {"wrong": [], "refused": [], **dict.fromkeys(counts.NUMBERS, 0)}
         named = {"mechanism": mechanism, "kind": kind, "names": row["names"]}
         total = out.setdefault((kind, mechanism), {**named, **none})
         for name in (*counts.NUMBERS, "wrong", "refused"):
             total[name] += mine[name]
-        for way, (cases, wrong) in mine["instead"].items():
-            tally = total["instead"].setdefault(way, [0, 0])
-            tally[0] += cases
-            tally[1] += wrong
     return list(out.values())
 
 
@@ -210,22 +206,6 @@ def scale_lines(found: list[Numbers]) -> list[str]:
         *columns_of(SCALE, found),
         "",
     ]
-
-
-def by_other(numbers: Numbers) -> Rows:
-    """What one would write instead."""
-    rows = []
-    of_roots = {r["family"]: r for r in numbers["roots"] if r["kind"] == "response"}
-    for row in numbers["instead"][0]:
-        mine = of_roots[row["family"]]
-        theirs = (f"{row['wrong']:,} of {row['cases']:,}", number(row["error"]))
-        ours = (f"{len(mine['wrong'])} of {mine['cases']:,}", error()(mine))
-        rows.append((f"roots of (24): {row['family']}", "numpy.roots", *theirs, *ours))
-    for total in totals(numbers["counts"]):
-        ours = (f"{len(total['wrong'])} of {decided(total):,}", "-")
-        for way, (cases, wrong) in total["instead"].items():
-            rows.append((f"{total['kind']}, {total['mechanism']}", way, f"{wrong} of {cases}", "-", *ours))
-    return rows
 
 
 def by_extreme(found: list[Numbers]) -> tuple[Rows, int, int]:
@@ -413,17 +393,6 @@ def page(numbers: Numbers) -> str:
         "## Proofs at run time",
         "",
         *proof_lines(numbers["proofs"][0]),
-        "## Common alternatives",
-        "",
-        "Other methods were tried on the cases that are not marked as undecided: `numpy.roots` on the coefficients of",
-        "(24), `brentq` where the sign changes between points of a grid, `fsolve` from a grid of starting points,",
-        "`numpy.roots` on the coefficients of the resultant.",
-        "",
-        *table(
-            ("question", "method", "wrong counts", "error / u(1+κ)", "slowflow: wrong counts", "slowflow: error"),
-            by_other(numbers),
-        ),
-        "",
     ]
     return "\n".join(lines)
 

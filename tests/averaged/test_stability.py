@@ -112,7 +112,7 @@ def test_seeded_counts_are_proved(mechanism, oscillators, states):
 
     Of an eighth of the oscillators per push.
     """
-    found = counts.stress(mechanism, part=1000, oscillators=fewer(oscillators, 8), compared=False)
+    found = counts.stress(mechanism, part=1000, oscillators=fewer(oscillators, 8))
     assert found["states"]["cases"] > fewer(states, 16)
     for kind in ("states", "folds"):
         assert found[kind]["wrong"] == []
