@@ -127,6 +127,7 @@ def isolator(lam: float, r: float, delta_h: float, mu: float, zeta: float, load:
 LAWS = ({"excitation": "base"}, {"excitation": "unbalance", "c_2": 0.02}, {"eta": 0.02}, {"c_2": 0.03, "eta": 0.01})
 HARDENING = {"alpha": 1.0, "beta": 1.0, "zeta": 0.04, "mu": 0.003, "load": 0.15}
 STEEP = {"lam": 2, "r": 0.6, "delta_h": 0.7, "mu": 0.02, "zeta": 0.05, "load": -0.2, "force": "untruncated"}
+SOFT_AND_DAMPED = {"alpha": 3.0, "beta": -0.7317705776395018, "mu": 0.029025484740650885, "zeta": 0.8847453384171343}
 RELEASED = {"lam": 3.0, "r": 0.5, "delta_h": 0.02, "mu": 0.03, "zeta": 0.03, "contact": "attached"}
 CENTRED = {
     "isolator": case(Isolator, 0.04, TABLE_1),
@@ -137,6 +138,8 @@ CENTRED = {
     "hardening on a base": case(Duffing, 0.05, {"alpha": 1.0, "beta": 2.0, "zeta": 0.05, "excitation": "base"}),
     "softening": case(Duffing, 0.04, {"alpha": 1.0, "beta": -0.1, "zeta": 0.022}),
     "friction up to u_cr": case(Isolator, 0.0502, RELEASED | {"force": "untruncated"}),
+    "isola": case(Isolator, 0.0428, RELEASED | {"force": "untruncated"}, window=(0.3, 3.0)),
+    "beyond a well": case(Duffing, 2.67, SOFT_AND_DAMPED, window=(0.3, 3.0), steady=False),
     **{name: Case(lambda name=name: derived(name), 0.3, (0.2, 2.5)) for name in ("wave", "septic", "soft_stop")},
 }
 LOADED = {

@@ -23,10 +23,9 @@ Numbers given as floats are taken exactly as their binary values; `fractions.Fra
 """
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
-from itertools import pairwise
 from typing import Any
 
 from flint import arb, arb_mat, arb_series, fmpq, fmpq_poly
@@ -155,14 +154,6 @@ class Amplitude:
     phi: arb
     stable: bool
     regime: str
-
-
-@dataclass
-class Response:
-    """The curve F = 0 at one forcing: its connected components in 0 < Omega <= 2 and its amplitude extrema."""
-
-    components: int
-    peaks: list[Point] = field(default_factory=list)
 
 
 class Oscillator:
@@ -786,85 +777,25 @@ class Oscillator:
 
     # ---- the response curve as a whole -----------------------------------------------------------------------------
 
-    def response(self, F_0: Number, Omega_max: int | None = 2) -> Response:
-        """Connected components of {F = 0, 0 < Omega <= Omega_max, A > 0}, and the points with F = F_Omega = 0.
-
-        Omega_max = None: no upper limit.
-
-        Between the amplitudes where a root passes 0 or Omega_max, or two roots meet, the number of Omega is constant
-        and the roots keep their order; so the components follow from the roots at one amplitude in each gap.
-        """
+    def peaks(self, F_0: Number) -> list[Point]:
+        """Every point with F = F_Omega = 0, by rising A: tops and bottoms of the curve F = 0."""
         with precision(BITS):
             forcing, rational = arb(exact(F_0)), exact(F_0)
-            t_max = self._response_range(forcing)
-
-            def level(j: Jet) -> Any:
-                return rational if isinstance(j.A, fmpq_poly) else forcing
-
-            def through(Omega: int) -> Callable[[Jet], Any]:
-                return lambda j: self._value(self._response_polynomial(j, level(j)), Omega)
 
             def peaked(j: Jet) -> Any:
-                response, peak = self._response_polynomial(j, level(j)), self._peak_polynomial(j)
+                level = rational if isinstance(j.A, fmpq_poly) else forcing
+                response, peak = self._response_polynomial(j, level), self._peak_polynomial(j)
                 if self._even:  # F_Omega/Omega
                     return bezout(response[::2], [*peak[1::2], 0 * j.A])
                 return bezout(response, [*peak, 0 * j.A])
 
-            zeros = self._zeros(peaked, t_max)
-            extremes = self._common(zeros, lambda own, j: own._peak_polynomial(j), forcing, ("F", "O"))
-            for p in extremes:
+            zeros = self._zeros(peaked, self._response_range(forcing))
+            points = self._common(zeros, lambda own, j: own._peak_polynomial(j), forcing, ("F", "O"))
+            for p in points:
                 d = self.derivatives(p.Omega, p.A, p.regime, forcing)
                 p.sense = "max" if _sign(d["OO"] * d["A"]) > 0 else "min"
                 p.F_0 = forcing
-            events = [(A, "zero", None) for A, _ in self._zeros(through(0), t_max)]
-            limit = arb.pos_inf() if Omega_max is None else arb(Omega_max)
-            if Omega_max is not None:
-                events += [(A, "edge", None) for A, _ in self._zeros(through(Omega_max), t_max)]
-            events += [(p.A, "meet", p.Omega) for p in extremes if p.Omega < limit]
-            events.sort(key=lambda e: e[0].mid())
-            for (a, _, _), (b, _, _) in pairwise(events):
-                if a.overlaps(b):
-                    raise ArithmeticError("two events at one amplitude")
-            return Response(self._components(events, forcing, limit), sorted(extremes, key=lambda p: p.A.mid()))
-
-    def _components(self, events: list[tuple], forcing: arb, limit: arb) -> int:
-        if not events:
-            return 0
-        cuts = [arb(e[0].mid()) for e in events]
-        middles = [cuts[0] / 2, *((a + b) / 2 for a, b in pairwise(cuts)), cuts[-1] * 2]
-        rows = [[x for x in self.frequencies(arb(A.mid()), forcing) if x < limit] for A in middles]
-        parent = {(i, j): (i, j) for i, row in enumerate(rows) for j in range(len(row))}
-
-        def find(x: tuple[int, int]) -> tuple[int, int]:
-            while parent[x] != x:
-                x = parent[x]
-            return x
-
-        for i, (_, what, Omega) in enumerate(events):
-            below, above = list(range(len(rows[i]))), list(range(len(rows[i + 1])))
-            change = len(above) - len(below)
-            many, row = (below, i) if change < 0 else (above, i + 1)
-            if what == "zero" and abs(change) == 1:
-                many.pop(0)
-            elif what == "edge" and abs(change) == 1:
-                many.pop()
-            elif what == "meet" and abs(change) == 2:
-                first = self._roots_below_double(Omega, events[i][0])
-                parent[find((row, first))] = find((row, first + 1))
-                del many[first : first + 2]
-            else:
-                raise ArithmeticError(f"{what}: {len(below)} roots below, {len(above)} above")
-            for a, b in zip(below, above, strict=True):
-                parent[find((i, a))] = find((i + 1, b))
-        return len({find(x) for x in parent})
-
-    def _roots_below_double(self, Omega: arb, A: arb) -> int:
-        """How many positive Omega lie below a double root of F = f4 (x - Omega)^2 (x^2 + 2 Omega x + q)."""
-        h = self.h(A, self.regime(A))[0]
-        q = 2 * h / A + 4 * arb(self.zeta) ** 2 + 3 * Omega**2
-        if q > 0:
-            return 0
-        return 1 if (Omega**2 - q).sqrt() - Omega < Omega else 0
+            return sorted(points, key=lambda p: p.A.mid())
 
 
 class RodSpring(Oscillator):

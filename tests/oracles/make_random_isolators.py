@@ -154,24 +154,20 @@ def forcing_record(oscillator: Oscillator, F_0: Number, why: str, rng: random.Ra
     folds = oscillator.folds(F_0)
     if len(folds) != oscillator.fold_count(F_0):
         raise AssertionError(f"{len(folds)} folds found, {oscillator.fold_count(F_0)} counted: {oscillator.parameters}")
-    response, unlimited = oscillator.response(F_0), oscillator.response(F_0, None)
-    top = max((_float(p.A) for p in response.peaks), default=1.0)
+    peaks = oscillator.peaks(F_0)
+    top = max((_float(p.A) for p in peaks), default=1.0)
     amplitudes = [top * rng.uniform(0.02, 1.1) for _ in range(5)]
     rows = []
     for A in amplitudes:
         Omega = oscillator.frequencies(A, F_0)
         rows.append({"A": encoded(A), "count": len(Omega), "Omega": [digits(x) for x in Omega]})
-    frequencies = draw_frequencies(rng, folds, response.peaks)
+    frequencies = draw_frequencies(rng, folds, peaks)
     known = answered(oscillator, folds, F_0, frequencies, "Omega A kind corner regime", "A phi stable regime")
     return {
         "F_0": encoded(F_0),
         "chosen": why,
         "folds": known["folds"],
-        "components": response.components,
-        "components_unlimited": unlimited.components,
-        "peaks": [
-            {"Omega": digits(p.Omega), "A": digits(p.A), "sense": p.sense, "regime": p.regime} for p in response.peaks
-        ],
+        "peaks": [{"Omega": digits(p.Omega), "A": digits(p.A), "sense": p.sense, "regime": p.regime} for p in peaks],
         "frequencies": rows,
         "amplitudes": known["amplitudes"],
     }
