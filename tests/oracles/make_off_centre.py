@@ -1,4 +1,4 @@
-"""Cases in; tests/data/off_centre.json out: states, detachments and onsets off the centre to 40 digits, all there are.
+"""Cases in; tests/data/off_centre.json out: states and detachments off the centre to 40 digits, all there are.
 
     python -m tests.oracles.make_off_centre
 
@@ -6,16 +6,12 @@ The means of a polynomial force are typed here from those of powers. Of a Duffin
 quotient of polynomials in B; put into F = 0 it leaves one polynomial in B, whose roots python-flint isolates, each in a
 ball: of a polynomial with real coefficients a root is real whose ball, which holds no other, meets the real axis. A
 truncated isolator detaches where a polynomial in B vanishes, at A = u_cr - |B|; the frequency is a root of a cubic.
-Without friction folds are (X - p)(X - q) + 4 zeta^2 X = 0 in X = Omega^2, p = -h/A and q = -h_A, which are quotients
-of polynomials in B; the forcing is stationary along them at cusps, where this has no slope by B either, and at isola
-points.
 Every sign that a choice depends on is that of a whole ball.
 """
 
 from __future__ import annotations
 
 import random
-from dataclasses import dataclass
 
 from flint import acb_poly, arb, ctx, fmpq, fmpq_poly
 
@@ -24,7 +20,7 @@ from tests.oracles.averaged import DIGITS, _sign, exact
 
 #: of roots of polynomials whose coefficients are balls
 TOLERANCE = arb(10) ** -80
-ANSWERS = {"duffing": "states", "isolator": "detachment", "onset": "onset"}
+ANSWERS = {"duffing": "states", "isolator": "detachment"}
 
 
 def ball(x: fmpq) -> arb:
@@ -136,71 +132,6 @@ def least(A: arb, h: arb, m: arb, zeta: arb) -> list[tuple[arb, arb]]:
     return found
 
 
-@dataclass(frozen=True)
-class Quotient:
-    """Of two polynomials in B."""
-
-    top: fmpq_poly
-    below: fmpq_poly
-
-    def __add__(self, other: Quotient) -> Quotient:
-        return Quotient(self.top * other.below + other.top * self.below, self.below * other.below).reduced()
-
-    def __mul__(self, other: Quotient) -> Quotient:
-        return Quotient(self.top * other.top, self.below * other.below).reduced()
-
-    def over(self, other: Quotient) -> Quotient:
-        return Quotient(self.top * other.below, self.below * other.top).reduced()
-
-    def slope(self) -> Quotient:
-        top = self.top.derivative() * self.below - self.top * self.below.derivative()
-        return Quotient(top, self.below**2).reduced()
-
-    def reduced(self) -> Quotient:
-        common = self.top.gcd(self.below)
-        return Quotient(self.top // common, self.below // common)
-
-    def at(self, x: arb) -> arb:
-        return ball_at(self.top, x) / ball_at(self.below, x)
-
-    def roots(self) -> list[arb]:
-        simple = self.top // self.top.gcd(self.top.derivative())
-        return real_roots(simple)
-
-
-def onset(case: dict) -> dict:
-    """The lowest forcing of the cusps and isola points that a stable motion comes to, of a Duffing oscillator."""
-    alpha, beta, zeta, load = (exact(case[name]) for name in ("alpha", "beta", "zeta", "load"))
-
-    def constant(x: fmpq) -> Quotient:
-        return Quotient(fmpq_poly([x]), fmpq_poly([1]))
-
-    B = Quotient(fmpq_poly([0, 1]), fmpq_poly([1]))
-    B_2 = B * B * constant(3 * beta)
-    A_2 = Quotient(load - alpha * B.top - beta * B.top**3, fmpq(3, 2) * beta * B.top)
-    c_1 = constant(alpha) + B_2 + A_2 * constant(fmpq(3, 2) * beta)
-    s_1_2 = B_2 * A_2 * constant(3 * beta)
-    p = constant(alpha) + B_2 + A_2 * constant(fmpq(3, 4) * beta)
-    q = constant(alpha) + B_2 + A_2 * constant(fmpq(9, 4) * beta) + (s_1_2 * constant(fmpq(-2))).over(c_1)
-    minus = constant(fmpq(-1))
-    both = (p * q).slope().over((p + q).slope())
-    lag = constant(4 * zeta**2)
-    cusps = [(B_0, both) for B_0 in ((both + p * minus) * (both + q * minus) + lag * both).roots()]
-    # F_Omega = 0 is X = p - 2 zeta^2, with which a fold has X = -q
-    isolas = [(B_0, q * minus) for B_0 in (p + q + constant(-2 * zeta**2)).roots()]
-    levels = []
-    for B_0, X in cusps + isolas:
-        if _sign(A_2.at(B_0)) < 0 or _sign(c_1.at(B_0)) < 0 or _sign(X.at(B_0)) < 0:
-            continue
-        Omega, A = X.at(B_0).sqrt(), A_2.at(B_0).sqrt()
-        R, I = A * (X.at(B_0) - p.at(B_0)), 2 * ball(zeta) * A * Omega
-        levels.append(((R * R + I * I).sqrt(), Omega, A, B_0))
-    level, Omega, A, B_0 = min(levels, key=lambda one: float(one[0]))
-    if not all(other is level or other > level for other, *_ in levels):
-        raise ArithmeticError("two levels are not told apart")
-    return {"F_SN": shown(level), "Omega": shown(Omega), "A": shown(A), "B": shown(B_0)}
-
-
 def cases() -> list[dict]:
     """Drawn with a fixed seed: springs that harden, soften and have two wells, with and without friction."""
     rng = random.Random(20)
@@ -236,16 +167,6 @@ def cases() -> list[dict]:
                 "load": rng.choice((-1, 1)) * rng.uniform(0.005, 0.1),
             }
         )
-    for _ in range(8):
-        drawn.append(
-            {
-                "kind": "onset",
-                "alpha": 1.0,
-                "beta": rng.uniform(0.2, 2.0),
-                "zeta": rng.uniform(0.01, 0.08),
-                "load": rng.choice((-1, 1)) * rng.uniform(0.01, 0.5),
-            }
-        )
     return drawn
 
 
@@ -254,7 +175,7 @@ def main() -> None:
     rows = []
     for case in cases():
         try:
-            question = {"duffing": duffing, "isolator": detachment, "onset": onset}[case["kind"]]
+            question = {"duffing": duffing, "isolator": detachment}[case["kind"]]
             found = {ANSWERS[case["kind"]]: question(case)}
         except ArithmeticError as error:
             print(f"left out, {error}: {case}")
