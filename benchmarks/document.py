@@ -60,7 +60,7 @@ def with_earlier(rows: list[Any], before: list[Any], name: str, where: Any) -> l
     for row in rows:
         missing = "failure" in row and "variant" not in row
         old = [one for one in before if missing and one[name] == row[name] and "seconds" in one]
-        note = f"measured earlier, on {where}; now: {row.get('failure')}"
+        note = f"measured earlier, on {where}; now it {row.get('failure')}"
         kept += [{"earlier": note, **one} for one in old] or [row]
     return kept
 
@@ -136,7 +136,7 @@ SECTIONS = {
         "Other tools",
         """Table 1 with F_0 = 0.04: the averaged response from Omega = 0.3 to 2 and both folds. The
 tools were measured alternately in one run; a tool measured earlier is compared with slowflow as measured then. A fold
-counts as found if it is right within 1 %; the error is the larger one of the folds found. Each tool runs in an
+counts as found if its error is below 1 %; the error shown is the larger one of the folds found. Each tool runs in an
 environment of its own; `benchmarks/peers/` has an adapter for each.""",
         {
             "tool": tool,

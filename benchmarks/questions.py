@@ -121,12 +121,13 @@ def kernels(size: Size) -> list[Row]:
         slowest = max(of, key=lambda result: result.seconds)
         ratios = sorted(result.by_sympy / result.seconds for result in of)
         between = " to ".join(quantity(ratio, "×") for ratio in dict.fromkeys((ratios[0], ratios[-1])))
-        families = f", slowest of {len(of)} families" if len(of) > 1 else ""
+        several = f" of {len(of)} families" if len(of) > 1 else ""
+        slow, least = (f", {which}{several}" if several else "" for which in ("slowest", "smallest"))
         error, theirs = max(result.error for result in of), max(result.error_by_sympy for result in of)
         rows += [
-            Row(f"H and H′, {regime}, per point{families}", slowest.seconds, "s", "", f"{error:.2g} u(1+κ)"),
+            Row(f"H and H′, {regime}, per point{slow}", slowest.seconds, "s", "", f"{error:.2g} u(1+κ)"),
             Row(
-                f"H and H′, {regime}: time of lambdify(cse=True) over slowflow's, smallest of {len(of)}",
+                f"H and H′, {regime}: time of lambdify(cse=True) over slowflow's{least}",
                 *(ratios[0], "×", f"{between}; theirs {quantity(slowest.by_sympy, 's')}"),
                 f"theirs {theirs:.2g} u(1+κ)",
             ),

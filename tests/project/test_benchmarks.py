@@ -80,7 +80,7 @@ def test_tool_that_cannot_be_run_keeps_its_rows() -> None:
     ran = {"peer": "ran", "what": "", "variant": "large steps", "failure": "no answer"}
     new = {"peer": "new", "what": "", "failure": "does not install"}
     rows = with_earlier([missing, ran, new], before, "peer", "another")
-    note = "measured earlier, on another; now: does not install: there is no gfortran"
+    note = "measured earlier, on another; now it does not install: there is no gfortran"
     assert rows == [{**measured, "earlier": note}, ran, new]
     (again,) = with_earlier([missing], [rows[0]], "peer", "a third")
     assert again["earlier"] == note
