@@ -417,8 +417,12 @@ def repeated_views(code: Code, printer: Rules) -> list[RepeatedView]:
 
 def tables(views: Iterable[KernelView]) -> list[tuple[tuple[str, ...], tuple[tuple[str, ...], ...]]]:
     """The tables that these kernels loop over, each once: columns and rows."""
-    lines = (line for view in views for branch in view.branches for line in branch.lets if line.table)
-    return list(dict.fromkeys((line.columns, line.table) for line in lines))
+    return list(dict.fromkeys((line.columns, line.table) for line in lines_of(views) if line.table))
+
+
+def lines_of(views: Iterable[KernelView]) -> list[Line]:
+    """All lines of these kernels."""
+    return [line for view in views for branch in view.branches for line in branch.lets]
 
 
 def wrapped(value: str, used: int, printer: Rules) -> str:

@@ -143,12 +143,13 @@ static const double rod_spring_untruncated_nodes_5[][4] = {
 };
 
 /* The term of int sin^2 at a node. */
-SF_COMMON void rod_spring_untruncated_arc_node(double X2, double K2, double T2, double *W)
+SF_COMMON void rod_spring_untruncated_arc_node(const double *row, double T2, double *W)
 {
+    const double X2 = row[0], K2 = row[1];
     const double g = 1.0 / (T2 * X2 + 1.0);
     const double g2 = g * g;
     const double g3 = g * g2;
-    *W = K2 * g3;
+    *W += K2 * g3;
 }
 
 /* Duplications of the arguments of R_D, and the sum of what they take off over 3, as Taylor series. */
@@ -386,9 +387,10 @@ SF_COMMON void rod_spring_untruncated_common_1(double A, double delta_h, double 
 }
 
 /* Terms of int sin^2 tan^(2n) (1/c - 1/Delta) at a node, by n. */
-SF_COMMON void rod_spring_untruncated_far_node(double x, double X2, double less, double both, double K, double c,
-    double T2, double U2, double *W, double *Wq, double *Wq_2, double *Wq_3)
+SF_COMMON void rod_spring_untruncated_far_node(const double *row, double c, double T2, double U2, double *W,
+    double *Wq, double *Wq_2, double *Wq_3)
 {
+    const double x = row[0], X2 = row[1], less = row[2], both = row[3], K = row[4];
     const double g = 1.0 / (T2 * X2 + 1.0);
     const double v2 = X2 * g * g;
     const double square = -U2 * v2 + 1.0;
@@ -399,17 +401,18 @@ SF_COMMON void rod_spring_untruncated_far_node(double x, double X2, double less,
     const double q = 4.0 * T2 * X2 / (t0 * t0);
     const double q2 = q * q;
     const double q3 = q * q2;
-    *W = term;
-    *Wq = q * term;
-    *Wq_2 = q2 * term;
-    *Wq_3 = q3 * term;
+    *W += term;
+    *Wq += q * term;
+    *Wq_2 += q2 * term;
+    *Wq_3 += q3 * term;
 }
 
 /* Terms of int g^(j)(A s) s^j T_n dt at a node, by n, then by j. */
-SF_COMMON void rod_spring_untruncated_harmonic_node(double x, double x2, double less, double weight, double T,
-    double T2, double c, double A, double u_cr, double *sum_3_0, double *sum_3_1, double *sum_3_2, double *sum_3_3,
-    double *sum_5_0, double *sum_5_1, double *sum_5_2, double *sum_5_3)
+SF_COMMON void rod_spring_untruncated_harmonic_node(const double *row, double T, double T2, double c, double A,
+    double u_cr, double *sum_3_0, double *sum_3_1, double *sum_3_2, double *sum_3_3, double *sum_5_0,
+    double *sum_5_1, double *sum_5_2, double *sum_5_3)
 {
+    const double x = row[0], x2 = row[1], less = row[2], weight = row[3];
     const double g = 1.0 / (T2 * x2 + 1.0);
     const double s = 2.0 * T * g * x;
     const double v = A * s;
@@ -425,14 +428,14 @@ SF_COMMON void rod_spring_untruncated_harmonic_node(double x, double x2, double 
     const double square2 = square * square;
     const double s4 = s2 * s2;
     const double square3 = square * square2;
-    *sum_3_0 = inverse * s * scale * v * (4.0 * s2 - 3.0);
-    *sum_3_1 = s2 * scale * (inverse + v2 / (delta * square)) * (4.0 * s2 - 3.0);
-    *sum_3_2 = 3.0 * s3 * scale * v * (4.0 * s2 - 3.0) / (delta * square2);
-    *sum_3_3 = s4 * scale * (4.0 * s2 - 3.0) * (12.0 * v2 + 3.0) / (delta * square3);
-    *sum_5_0 = inverse * s * scale * v * (s2 * (16.0 * s2 - 20.0) + 5.0);
-    *sum_5_1 = s2 * scale * (inverse + v2 / (delta * square)) * (s2 * (16.0 * s2 - 20.0) + 5.0);
-    *sum_5_2 = 3.0 * s3 * scale * v * (s2 * (16.0 * s2 - 20.0) + 5.0) / (delta * square2);
-    *sum_5_3 = s4 * scale * (12.0 * v2 + 3.0) * (s2 * (16.0 * s2 - 20.0) + 5.0) / (delta * square3);
+    *sum_3_0 += inverse * s * scale * v * (4.0 * s2 - 3.0);
+    *sum_3_1 += s2 * scale * (inverse + v2 / (delta * square)) * (4.0 * s2 - 3.0);
+    *sum_3_2 += 3.0 * s3 * scale * v * (4.0 * s2 - 3.0) / (delta * square2);
+    *sum_3_3 += s4 * scale * (4.0 * s2 - 3.0) * (12.0 * v2 + 3.0) / (delta * square3);
+    *sum_5_0 += inverse * s * scale * v * (s2 * (16.0 * s2 - 20.0) + 5.0);
+    *sum_5_1 += s2 * scale * (inverse + v2 / (delta * square)) * (s2 * (16.0 * s2 - 20.0) + 5.0);
+    *sum_5_2 += 3.0 * s3 * scale * v * (s2 * (16.0 * s2 - 20.0) + 5.0) / (delta * square2);
+    *sum_5_3 += s4 * scale * (12.0 * v2 + 3.0) * (s2 * (16.0 * s2 - 20.0) + 5.0) / (delta * square3);
 }
 
 /* Steps of the arithmetic-geometric mean, with the sum of its differences and that of their squares by weight. */
@@ -452,10 +455,11 @@ SF_COMMON void rod_spring_untruncated_means(double quarter, int turns, double *s
 }
 
 /* Terms of int f^(n + j)(A s) s^j cos^(2n) t dt at a point, by n, then by j. */
-SF_COMMON void rod_spring_untruncated_midpoint(double s, double cosine, double A, double *moment_3_0,
-    double *moment_3_1, double *moment_3_2, double *moment_3_3, double *moment_5_0, double *moment_5_1,
-    double *moment_5_2, double *moment_5_3)
+SF_COMMON void rod_spring_untruncated_midpoint(const double *row, double A, double *moment_3_0, double *moment_3_1,
+    double *moment_3_2, double *moment_3_3, double *moment_5_0, double *moment_5_1, double *moment_5_2,
+    double *moment_5_3)
 {
+    const double s = row[0], cosine = row[1];
     const double v = A * s;
     const double delta = sqrt(1.0 - v) * sqrt(v + 1.0);
     const double cosine2 = cosine * cosine;
@@ -483,36 +487,38 @@ SF_COMMON void rod_spring_untruncated_midpoint(double s, double cosine, double A
     const double delta15 = delta * delta14;
     const double delta16 = delta8 * delta8;
     const double delta17 = delta * delta16;
-    *moment_3_0 = cosine6 * (12.0 * v2 + 3.0) / delta7;
-    *moment_3_1 = cosine6 * s * v * (60.0 * v2 + 45.0) / delta9;
-    *moment_3_2 = cosine6 * s2 * (v2 * (360.0 * v2 + 540.0) + 45.0) / delta11;
-    *moment_3_3 = cosine6 * s3 * v * (v2 * (2520.0 * v2 + 6300.0) + 1575.0) / delta13;
-    *moment_5_0 = cosine10 * (v2 * (360.0 * v2 + 540.0) + 45.0) / delta11;
-    *moment_5_1 = cosine10 * s * v * (v2 * (2520.0 * v2 + 6300.0) + 1575.0) / delta13;
-    *moment_5_2 = cosine10 * s2 * (v2 * (v2 * (20160.0 * v2 + 75600.0) + 37800.0) + 1575.0) / delta15;
-    *moment_5_3 = cosine10 * s3 * v * (v2 * (v2 * (181440.0 * v2 + 952560.0) + 793800.0) + 99225.0) / delta17;
+    *moment_3_0 += cosine6 * (12.0 * v2 + 3.0) / delta7;
+    *moment_3_1 += cosine6 * s * v * (60.0 * v2 + 45.0) / delta9;
+    *moment_3_2 += cosine6 * s2 * (v2 * (360.0 * v2 + 540.0) + 45.0) / delta11;
+    *moment_3_3 += cosine6 * s3 * v * (v2 * (2520.0 * v2 + 6300.0) + 1575.0) / delta13;
+    *moment_5_0 += cosine10 * (v2 * (360.0 * v2 + 540.0) + 45.0) / delta11;
+    *moment_5_1 += cosine10 * s * v * (v2 * (2520.0 * v2 + 6300.0) + 1575.0) / delta13;
+    *moment_5_2 += cosine10 * s2 * (v2 * (v2 * (20160.0 * v2 + 75600.0) + 37800.0) + 1575.0) / delta15;
+    *moment_5_3 += cosine10 * s3 * v * (v2 * (v2 * (181440.0 * v2 + 952560.0) + 793800.0) + 99225.0) / delta17;
 }
 
 /* Terms of int sin^2 (1/c - 1/Delta), sin^4/Delta^3, sin^4/Delta^5, sin^4 (1 + 4 u^2)/Delta^7 at a node. */
-SF_COMMON void rod_spring_untruncated_near_node(double x, double X2, double less, double both, double K, double c,
-    double T2, double U2, double *W, double *V3, double *V5, double *V7)
+SF_COMMON void rod_spring_untruncated_near_node(const double *row, double c, double T2, double U2, double *W,
+    double *V3, double *V5, double *V7)
 {
+    const double x = row[0], X2 = row[1], less = row[2], both = row[3], K = row[4];
     const double g = 1.0 / (T2 * X2 + 1.0);
     const double v2 = X2 * g * g;
     const double square = -U2 * v2 + 1.0;
     const double delta = sqrt(square);
     const double f = K * g * v2 / delta;
     const double fall = f * v2 / square;
-    *W = f * g * (-T2 * both + less) * (g * (T2 * x + x) + 1.0) / (c + delta);
-    *V3 = fall;
-    *V5 = fall / square;
-    *V7 = fall * (4.0 * U2 * v2 + 1.0) / (square * square);
+    *W += f * g * (-T2 * both + less) * (g * (T2 * x + x) + 1.0) / (c + delta);
+    *V3 += fall;
+    *V5 += fall / square;
+    *V7 += fall * (4.0 * U2 * v2 + 1.0) / (square * square);
 }
 
 /* Terms of int sin^2 tan^(2n) at a node, by n. */
-SF_COMMON void rod_spring_untruncated_tangent_node(double X2, double K2, double T2, double *W, double *Wq,
+SF_COMMON void rod_spring_untruncated_tangent_node(const double *row, double T2, double *W, double *Wq,
     double *Wq_2, double *Wq_3)
 {
+    const double X2 = row[0], K2 = row[1];
     const double g = 1.0 / (T2 * X2 + 1.0);
     const double g2 = g * g;
     const double g3 = g * g2;
@@ -521,10 +527,10 @@ SF_COMMON void rod_spring_untruncated_tangent_node(double X2, double K2, double 
     const double q = 4.0 * T2 * X2 / (t0 * t0);
     const double q2 = q * q;
     const double q3 = q * q2;
-    *W = term;
-    *Wq = q * term;
-    *Wq_2 = q2 * term;
-    *Wq_3 = q3 * term;
+    *W += term;
+    *Wq += q * term;
+    *Wq_2 += q2 * term;
+    *Wq_3 += q3 * term;
 }
 
 /* h, h_A, h_AA, h_AAA, H, H_A, h - A h_A together.
@@ -665,19 +671,9 @@ SF_KERNEL void rod_spring_untruncated_averaged_all_passed_1_far(double A, const 
     const double U2 = 4.0 * A2 * t0;
     double sum_0 = 0.0, sum_1 = 0.0, sum_2 = 0.0, sum_3 = 0.0;
     SF_UNROLLED
-    for (int k = 0; k < 15; k++) {
-        const double x = rod_spring_untruncated_nodes_1[k][0];
-        const double X2 = rod_spring_untruncated_nodes_1[k][1];
-        const double less = rod_spring_untruncated_nodes_1[k][2];
-        const double both = rod_spring_untruncated_nodes_1[k][3];
-        const double K = rod_spring_untruncated_nodes_1[k][4];
-        double W_here, Wq_here, Wq_2_here, Wq_3_here;
-        rod_spring_untruncated_far_node(x, X2, less, both, K, c, t0, U2, &W_here, &Wq_here, &Wq_2_here, &Wq_3_here);
-        sum_0 += W_here;
-        sum_1 += Wq_here;
-        sum_2 += Wq_2_here;
-        sum_3 += Wq_3_here;
-    }
+    for (int k = 0; k < 15; k++)
+        rod_spring_untruncated_far_node(rod_spring_untruncated_nodes_1[k], c, t0, U2, &sum_0, &sum_1, &sum_2,
+            &sum_3);
     const double u_cr2 = u_cr * u_cr;
     const double T3 = T * t0;
     out[0] = 20.371832715762604 * A * T3 * beta * sum_0 * u_cr2 / c - A;
@@ -703,19 +699,9 @@ SF_KERNEL void rod_spring_untruncated_averaged_all_passed_1(double A, const doub
     const double U2 = 4.0 * A2 * t0;
     double sum_0 = 0.0, sum_1 = 0.0, sum_2 = 0.0, sum_3 = 0.0;
     SF_UNROLLED
-    for (int k = 0; k < 15; k++) {
-        const double x = rod_spring_untruncated_nodes_1[k][0];
-        const double X2 = rod_spring_untruncated_nodes_1[k][1];
-        const double less = rod_spring_untruncated_nodes_1[k][2];
-        const double both = rod_spring_untruncated_nodes_1[k][3];
-        const double K = rod_spring_untruncated_nodes_1[k][4];
-        double W_here, V3_here, V5_here, V7_here;
-        rod_spring_untruncated_near_node(x, X2, less, both, K, c, t0, U2, &W_here, &V3_here, &V5_here, &V7_here);
-        sum_0 += W_here;
-        sum_1 += V3_here;
-        sum_2 += V5_here;
-        sum_3 += V7_here;
-    }
+    for (int k = 0; k < 15; k++)
+        rod_spring_untruncated_near_node(rod_spring_untruncated_nodes_1[k], c, t0, U2, &sum_0, &sum_1, &sum_2,
+            &sum_3);
     const double u_cr2 = u_cr * u_cr;
     const double T3 = T * t0;
     const double T4 = t0 * t0;
@@ -752,19 +738,9 @@ SF_KERNEL void rod_spring_untruncated_averaged_all_passed_1_steeper_far(double A
     const double U2 = 4.0 * A2 * t0;
     double sum_0 = 0.0, sum_1 = 0.0, sum_2 = 0.0, sum_3 = 0.0;
     SF_UNROLLED
-    for (int k = 0; k < 24; k++) {
-        const double x = rod_spring_untruncated_nodes_2[k][0];
-        const double X2 = rod_spring_untruncated_nodes_2[k][1];
-        const double less = rod_spring_untruncated_nodes_2[k][2];
-        const double both = rod_spring_untruncated_nodes_2[k][3];
-        const double K = rod_spring_untruncated_nodes_2[k][4];
-        double W_here, Wq_here, Wq_2_here, Wq_3_here;
-        rod_spring_untruncated_far_node(x, X2, less, both, K, c, t0, U2, &W_here, &Wq_here, &Wq_2_here, &Wq_3_here);
-        sum_0 += W_here;
-        sum_1 += Wq_here;
-        sum_2 += Wq_2_here;
-        sum_3 += Wq_3_here;
-    }
+    for (int k = 0; k < 24; k++)
+        rod_spring_untruncated_far_node(rod_spring_untruncated_nodes_2[k], c, t0, U2, &sum_0, &sum_1, &sum_2,
+            &sum_3);
     const double u_cr2 = u_cr * u_cr;
     const double T3 = T * t0;
     out[0] = 20.371832715762604 * A * T3 * beta * sum_0 * u_cr2 / c - A;
@@ -793,19 +769,9 @@ SF_KERNEL void rod_spring_untruncated_averaged_all_passed_1_steeper(double A, co
     const double U2 = 4.0 * A2 * t0;
     double sum_0 = 0.0, sum_1 = 0.0, sum_2 = 0.0, sum_3 = 0.0;
     SF_UNROLLED
-    for (int k = 0; k < 24; k++) {
-        const double x = rod_spring_untruncated_nodes_2[k][0];
-        const double X2 = rod_spring_untruncated_nodes_2[k][1];
-        const double less = rod_spring_untruncated_nodes_2[k][2];
-        const double both = rod_spring_untruncated_nodes_2[k][3];
-        const double K = rod_spring_untruncated_nodes_2[k][4];
-        double W_here, V3_here, V5_here, V7_here;
-        rod_spring_untruncated_near_node(x, X2, less, both, K, c, t0, U2, &W_here, &V3_here, &V5_here, &V7_here);
-        sum_0 += W_here;
-        sum_1 += V3_here;
-        sum_2 += V5_here;
-        sum_3 += V7_here;
-    }
+    for (int k = 0; k < 24; k++)
+        rod_spring_untruncated_near_node(rod_spring_untruncated_nodes_2[k], c, t0, U2, &sum_0, &sum_1, &sum_2,
+            &sum_3);
     const double u_cr2 = u_cr * u_cr;
     const double T3 = T * t0;
     const double T4 = t0 * t0;
@@ -839,16 +805,8 @@ SF_KERNEL void rod_spring_untruncated_averaged_all_passed_1_steep_far(double A, 
     const double A2 = A * A;
     double sum_0 = 0.0, sum_1 = 0.0, sum_2 = 0.0, sum_3 = 0.0;
     SF_UNROLLED
-    for (int k = 0; k < 15; k++) {
-        const double X2 = rod_spring_untruncated_nodes_3[k][0];
-        const double K2 = rod_spring_untruncated_nodes_3[k][1];
-        double W_here, Wq_here, Wq_2_here, Wq_3_here;
-        rod_spring_untruncated_tangent_node(X2, K2, t0, &W_here, &Wq_here, &Wq_2_here, &Wq_3_here);
-        sum_0 += W_here;
-        sum_1 += Wq_here;
-        sum_2 += Wq_2_here;
-        sum_3 += Wq_3_here;
-    }
+    for (int k = 0; k < 15; k++)
+        rod_spring_untruncated_tangent_node(rod_spring_untruncated_nodes_3[k], t0, &sum_0, &sum_1, &sum_2, &sum_3);
     const double T3 = T * t0;
     out[0] = 2.5464790894703255 * A * beta * (8.0 * T3 * sum_0 / c - V2) - A;
     out[1] = 2.5464790894703255 * beta * (-16.0 * T3 * sum_0 / c - 8.0 * T3 * sum_1 / c + 2.0 * V2 + V4) - 1.0;
@@ -942,13 +900,8 @@ SF_KERNEL void rod_spring_untruncated_averaged_all_passed_1_steep(double A, cons
     const double V8 = -3.2000000000000002 * R_3 * third * x2_3;
     double sum_0 = 0.0;
     SF_UNROLLED
-    for (int k = 0; k < 15; k++) {
-        const double X2 = rod_spring_untruncated_nodes_3[k][0];
-        const double K2 = rod_spring_untruncated_nodes_3[k][1];
-        double W_here;
-        rod_spring_untruncated_arc_node(X2, K2, t0, &W_here);
-        sum_0 += W_here;
-    }
+    for (int k = 0; k < 15; k++)
+        rod_spring_untruncated_arc_node(rod_spring_untruncated_nodes_3[k], t0, &sum_0);
     const double T3 = T * t0;
     const double u_cr4 = u_cr2 * u_cr2;
     const double u_cr5 = u_cr * u_cr4;
@@ -1002,22 +955,9 @@ SF_KERNEL void rod_spring_untruncated_harmonics_passed_0(double A, const double 
     double moment_3_0 = 0.0, moment_3_1 = 0.0, moment_3_2 = 0.0, moment_3_3 = 0.0, moment_5_0 = 0.0, moment_5_1 =
         0.0, moment_5_2 = 0.0, moment_5_3 = 0.0;
     SF_UNROLLED
-    for (int k = 0; k < 20; k++) {
-        const double s = rod_spring_untruncated_nodes_4[k][0];
-        const double cosine = rod_spring_untruncated_nodes_4[k][1];
-        double moment_3_0_here, moment_3_1_here, moment_3_2_here, moment_3_3_here, moment_5_0_here, moment_5_1_here,
-            moment_5_2_here, moment_5_3_here;
-        rod_spring_untruncated_midpoint(s, cosine, A, &moment_3_0_here, &moment_3_1_here, &moment_3_2_here,
-            &moment_3_3_here, &moment_5_0_here, &moment_5_1_here, &moment_5_2_here, &moment_5_3_here);
-        moment_3_0 += moment_3_0_here;
-        moment_3_1 += moment_3_1_here;
-        moment_3_2 += moment_3_2_here;
-        moment_3_3 += moment_3_3_here;
-        moment_5_0 += moment_5_0_here;
-        moment_5_1 += moment_5_1_here;
-        moment_5_2 += moment_5_2_here;
-        moment_5_3 += moment_5_3_here;
-    }
+    for (int k = 0; k < 20; k++)
+        rod_spring_untruncated_midpoint(rod_spring_untruncated_nodes_4[k], A, &moment_3_0, &moment_3_1, &moment_3_2,
+            &moment_3_3, &moment_5_0, &moment_5_1, &moment_5_2, &moment_5_3);
     const double A2 = A * A;
     const double A3 = A * A2;
     const double A4 = A2 * A2;
@@ -1045,24 +985,9 @@ SF_KERNEL void rod_spring_untruncated_harmonics_passed_1(double A, const double 
     double sum_3_0 = 0.0, sum_3_1 = 0.0, sum_3_2 = 0.0, sum_3_3 = 0.0, sum_5_0 = 0.0, sum_5_1 = 0.0, sum_5_2 = 0.0,
         sum_5_3 = 0.0;
     SF_UNROLLED
-    for (int k = 0; k < 21; k++) {
-        const double x = rod_spring_untruncated_nodes_5[k][0];
-        const double x2 = rod_spring_untruncated_nodes_5[k][1];
-        const double less = rod_spring_untruncated_nodes_5[k][2];
-        const double weight = rod_spring_untruncated_nodes_5[k][3];
-        double sum_3_0_here, sum_3_1_here, sum_3_2_here, sum_3_3_here, sum_5_0_here, sum_5_1_here, sum_5_2_here,
-            sum_5_3_here;
-        rod_spring_untruncated_harmonic_node(x, x2, less, weight, T, T2, c, A, u_cr, &sum_3_0_here, &sum_3_1_here,
-            &sum_3_2_here, &sum_3_3_here, &sum_5_0_here, &sum_5_1_here, &sum_5_2_here, &sum_5_3_here);
-        sum_3_0 += sum_3_0_here;
-        sum_3_1 += sum_3_1_here;
-        sum_3_2 += sum_3_2_here;
-        sum_3_3 += sum_3_3_here;
-        sum_5_0 += sum_5_0_here;
-        sum_5_1 += sum_5_1_here;
-        sum_5_2 += sum_5_2_here;
-        sum_5_3 += sum_5_3_here;
-    }
+    for (int k = 0; k < 21; k++)
+        rod_spring_untruncated_harmonic_node(rod_spring_untruncated_nodes_5[k], T, T2, c, A, u_cr, &sum_3_0,
+            &sum_3_1, &sum_3_2, &sum_3_3, &sum_5_0, &sum_5_1, &sum_5_2, &sum_5_3);
     const double u_cr2 = u_cr * u_cr;
     const double u_cr4 = u_cr2 * u_cr2;
     const double A2 = A * A;
@@ -1340,197 +1265,10 @@ SF_KERNEL double rod_spring_untruncated_intercept(double A, double alpha, double
     return values[6];
 }
 
-/* The averaged restoring force h = H - A.
-   Equation (20)-(22). Domain: A >= 0. Error / u (1 + kappa): measured 1.4. */
-SF_KERNEL double rod_spring_untruncated_h(double A, double alpha, double beta, double delta_h)
-{
-    const double p[] = {alpha, beta, delta_h};
-    double values[2];
-    rod_spring_untruncated_averaged_2(A, p, values);
-    return values[0];
-}
-
-/* d/dA of the averaged restoring force h = H - A.
-   Equation (31). Domain: A >= 0. Error / u (1 + kappa): measured 2.1. */
-SF_KERNEL double rod_spring_untruncated_h_A(double A, double alpha, double beta, double delta_h)
-{
-    const double p[] = {alpha, beta, delta_h};
-    double values[2];
-    rod_spring_untruncated_averaged_2(A, p, values);
-    return values[1];
-}
-
-/* d2/dA2 of the averaged restoring force h = H - A.
-   Equation from (31). Domain: A >= 0. Error / u (1 + kappa): measured 1.7. */
-SF_KERNEL double rod_spring_untruncated_h_AA(double A, double alpha, double beta, double delta_h)
-{
-    const double p[] = {alpha, beta, delta_h};
-    double values[4];
-    rod_spring_untruncated_averaged(A, p, values);
-    return values[2];
-}
-
-/* d3/dA3 of the averaged restoring force h = H - A.
-   Equation from (31). Domain: A >= 0. Error / u (1 + kappa): measured 3.6. */
-SF_KERNEL double rod_spring_untruncated_h_AAA(double A, double alpha, double beta, double delta_h)
-{
-    const double p[] = {alpha, beta, delta_h};
-    double values[4];
-    rod_spring_untruncated_averaged(A, p, values);
-    return values[3];
-}
-
-/* The averaged force H beside the vertical spring.
-   Equation (20)-(22). Domain: A >= 0. Error / u (1 + kappa): measured 3.1. */
-SF_KERNEL double rod_spring_untruncated_H(double A, double alpha, double beta, double delta_h)
-{
-    const double p[] = {alpha, beta, delta_h};
-    double values[2];
-    rod_spring_untruncated_averaged_H(A, p, values);
-    return values[0];
-}
-
-/* d/dA of the averaged force H beside the vertical spring.
-   Equation (31). Domain: A >= 0. Error / u (1 + kappa): measured 2. */
-SF_KERNEL double rod_spring_untruncated_H_A(double A, double alpha, double beta, double delta_h)
-{
-    const double p[] = {alpha, beta, delta_h};
-    double values[2];
-    rod_spring_untruncated_averaged_H(A, p, values);
-    return values[1];
-}
-
-/* d2/dA2 of the averaged force H beside the vertical spring.
-   Equation from (31). Domain: A >= 0. Error / u (1 + kappa): measured 2.4. */
-SF_KERNEL double rod_spring_untruncated_H_AA(double A, double alpha, double beta, double delta_h)
-{
-    const double p[] = {alpha, beta, delta_h};
-    double values[4];
-    rod_spring_untruncated_averaged(A, p, values);
-    return values[2];
-}
-
-/* Frequency response; zero at a steady state.
-   Equation (24). Domain: Omega > 0, A > 0. Error / u (1 + kappa): measured 1.5. */
-SF_KERNEL double rod_spring_untruncated_F(double Omega, double A, double F_0, double mu, double zeta, const double *p)
-{
-    double average[2];
-    rod_spring_untruncated_averaged_2(A, p, average);
-    return slow_flow_F(Omega, A, F_0, slow_flow_friction(mu), zeta, average[0]);
-}
-
-/* dF/dA; positive where stable.
-   Equation (24), (30). Domain: Omega > 0, A > 0. Error / u (1 + kappa): measured 4.2. */
-SF_KERNEL double rod_spring_untruncated_F_A(double Omega, double A, double mu, double zeta, const double *p)
-{
-    double average[2];
-    rod_spring_untruncated_averaged_2(A, p, average);
-    return slow_flow_F_A(Omega, A, slow_flow_friction(mu), zeta, average[0], average[1]);
-}
-
-/* The forcing F_0 for which (Omega, A) is a steady state.
-   Equation (24). Domain: Omega >= 0, A > 0. Error / u (1 + kappa): measured 1.5. */
-SF_KERNEL double rod_spring_untruncated_level(double Omega, double A, double mu, double zeta, const double *p)
-{
-    double average[2];
-    rod_spring_untruncated_averaged_2(A, p, average);
-    return slow_flow_level(Omega, A, slow_flow_friction(mu), zeta, average[0]);
-}
-
-/* Phase phi of a steady state, from -pi to 0.
-   Equation (25). Domain: Omega > 0, A > 0. Error / u (1 + kappa): measured 1.4. */
-SF_KERNEL double rod_spring_untruncated_phase(double Omega, double A, double mu, double zeta, const double *p)
-{
-    double average[2];
-    rod_spring_untruncated_averaged_2(A, p, average);
-    return slow_flow_phase(Omega, A, slow_flow_friction(mu), zeta, average[0]);
-}
-
-/* Jacobian of the slow flow (A', phi') at a fixed point: J11, J12, J21, J22.
-   Equation (28). Domain: Omega > 0, A > 0. Error / u (1 + kappa): measured 1.8. */
-SF_KERNEL void rod_spring_untruncated_jacobian(double Omega, double A, double mu, double zeta, const double *p, double *out)
-{
-    double average[2];
-    rod_spring_untruncated_averaged_2(A, p, average);
-    slow_flow_jacobian(Omega, A, slow_flow_friction(mu), zeta, average[0], average[1], out);
-}
-
-/* 4 Omega^2 det(jacobian) = F_A/(2 A); stable where positive.
-   Equation (30). Domain: Omega > 0, A > 0. Error / u (1 + kappa): measured 4.4. */
-SF_KERNEL double rod_spring_untruncated_stability(double Omega, double A, double mu, double zeta, const double *p)
-{
-    double average[2];
-    rod_spring_untruncated_averaged_2(A, p, average);
-    return slow_flow_stability(Omega, A, slow_flow_friction(mu), zeta, average[0], average[1]);
-}
-
-/* Fundamental harmonic of the force on the base over F_0, at a steady state.
-   Equation from (23). Domain: Omega > 0, A > 0, F_0 > 0. Error / u (1 + kappa): measured 1.4. */
-SF_KERNEL double rod_spring_untruncated_transmissibility(double Omega, double A, double F_0, double mu, double zeta, const double *p)
-{
-    double average[2];
-    rod_spring_untruncated_averaged_2(A, p, average);
-    return slow_flow_transmissibility(Omega, A, F_0, slow_flow_friction(mu), zeta, average[0]);
-}
-
-/* Frequency on the backbone.
-   Equation (26). Domain: A > 0, h <= 0. Error / u (1 + kappa): measured 1.6. */
-SF_KERNEL double rod_spring_untruncated_backbone(double A, const double *p)
-{
-    double average[2];
-    rod_spring_untruncated_averaged_2(A, p, average);
-    return slow_flow_backbone(A, average[0]);
-}
-
-/* Largest amplitude that the forcing can hold at this frequency.
-   Equation (27). Domain: Omega > 0, F_0 > m; sticks otherwise. Error / u (1 + kappa): measured 0.66. */
-SF_KERNEL double rod_spring_untruncated_limit_envelope(double Omega, double F_0, double mu, double zeta)
-{
-    return slow_flow_limit_envelope(Omega, F_0, slow_flow_friction(mu), zeta);
-}
-
-/* Viscous damping ratio that dissipates as much as zeta and friction together.
-   Equation (38). Domain: Omega > 0, A > 0. Error / u (1 + kappa): measured 0.65. */
-SF_KERNEL double rod_spring_untruncated_equivalent_damping(double Omega, double A, double mu, double zeta)
-{
-    return slow_flow_equivalent_damping(Omega, A, slow_flow_friction(mu), zeta);
-}
-
-/* F as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
-   Equation (24). Domain: A > 0. Error / u (1 + kappa): measured 1.4. */
-SF_KERNEL void rod_spring_untruncated_response_quartic(double A, double F_0, double mu, double zeta, const double *p, double *out)
-{
-    double average[2];
-    rod_spring_untruncated_averaged_2(A, p, average);
-    slow_flow_response_quartic(A, F_0, slow_flow_friction(mu), zeta, average[0], out);
-}
-
-/* F_A/2 as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
-   Equation (24), (30). Domain: A > 0. Error / u (1 + kappa): measured 3.7. */
-SF_KERNEL void rod_spring_untruncated_fold_quartic(double A, double mu, double zeta, const double *p, double *out)
-{
-    double average[2];
-    rod_spring_untruncated_averaged_2(A, p, average);
-    slow_flow_fold_quartic(A, slow_flow_friction(mu), zeta, average[0], average[1], out);
-}
-
-/* F_Omega/(4 A) as a polynomial in Omega: coefficients of 1, Omega, Omega^3.
-   Equation (34). Domain: A > 0. Error / u (1 + kappa): measured 2.3. */
-SF_KERNEL void rod_spring_untruncated_peak_cubic(double A, double mu, double zeta, const double *p, double *out)
-{
-    double average[2];
-    rod_spring_untruncated_averaged_2(A, p, average);
-    slow_flow_peak_cubic(A, slow_flow_friction(mu), zeta, average[0], out);
-}
-
-/* Reduced resultant of F and F_Omega: coefficients of F_0^0, F_0^2, ...; its roots are candidates for F_cr.
-   Equation (34). Domain: A > 0. Error / u (1 + kappa): measured 1.6. */
-SF_KERNEL void rod_spring_untruncated_detachment(double A, double mu, double zeta, const double *p, double *out)
-{
-    double average[2];
-    rod_spring_untruncated_averaged_2(A, p, average);
-    slow_flow_detachment(A, slow_flow_friction(mu), zeta, average[0], out);
-}
+#include "arithmetic_doubles.h"
+#define OF(name) rod_spring_untruncated_##name
+#include "mechanism_generic.h"
+#include "arithmetic_end.h"
 
 SF_FAMILY_END
 

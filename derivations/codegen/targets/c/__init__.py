@@ -24,6 +24,7 @@ from ...views import (
     RepeatedView,
     composition_view,
     heading,
+    lines_of,
     regimes,
     repeated_views,
     tables,
@@ -58,6 +59,14 @@ def files(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
     }
     with_symbols = headers(modules, code)
     result |= with_symbols | exported(with_symbols)
+    (result["c/mechanism_generic.h"],) = {
+        environment.get_template("mechanism_generic.h.jinja").render(
+            selections=[one for one in module.selections if one.name in in_every_mechanism(modules)],
+            compositions=[composition_view(composition, calls(module)) for composition in module.compositions],
+        )
+        for module in modules
+        if module.compositions
+    }
     for conventions in CONVENTIONS:
         result[f"native/{conventions.name}.h"] = environment.get_template("conventions.h.jinja").render(
             conventions=conventions, show=stated
@@ -69,7 +78,7 @@ def files(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
 
 def headers(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
     """The header of each module."""
-    environment = templates(Path(__file__).parent)
+    environment, in_every = templates(Path(__file__).parent), in_every_mechanism(modules)
     result = {}
     for module in (one for one in modules if one.in_c):
         of_module = code[module.name]
@@ -85,16 +94,23 @@ def headers(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
             kernels=views,
             repeated=repeated,
             twofolds=[twofold_view(kernel, PRINTER) for kernel in module.twofolds],
-            compositions=[composition_view(composition, calls(module)) for composition in module.compositions],
+            selections=[one for one in module.selections if one.name not in in_every],
             includes=includes(module, views, repeated),
             regimes=regimes(module),
             numbers=numbers(module),
             tables=tables(views),
+            columns={line.function: line.columns for line in lines_of(views) if line.table},
             measured=measured.of(module),
             rule=[(literal(node), literal(weight)) for node, weight in rule()] if module.sums else [],
             heading=heading(module),
         )
     return result
+
+
+def in_every_mechanism(modules: Iterable[Module]) -> set[str]:
+    """The names of what each module with compositions selects as one number of a tuple."""
+    names = [{one.name for one in module.selections if one.width == 1} for module in modules if module.compositions]
+    return set.intersection(*names) if names else set()
 
 
 def exported(printed: Iterable[str]) -> dict[str, str]:
