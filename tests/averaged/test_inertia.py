@@ -312,6 +312,13 @@ def test_isolation_begins_where_a_motion_last_transmits_all():
     assert "extends to arbitrarily high frequencies" in open_ended.message
 
 
+def test_a_response_cut_at_the_reach_claims_nothing_beyond():
+    cut = derive.library("three_spring")(alpha=0.9, ell=1.5, zeta=0.02, excitation="base")
+    for found in (cut.hysteresis(2.5), cut.isolation(2.5)):
+        assert Remark.CUT in found.remarks
+        assert found.message == cut.saddle_nodes(2.5).message
+
+
 def test_what_is_not_available_is_refused_in_words():
     iso = Isolator(**example.TABLE_1, excitation="base")
     refused = [

@@ -46,6 +46,12 @@ def assert_same_bits(found, expected):
         assert column.attrs.get("units", "") == expected.units.get(name, plain), name
 
 
+def test_a_map_of_motions_in_time_names_no_other_excitation():
+    """Of a base under a spectral density it said "force"."""
+    found = over(Isolator.physical(**SHEET)).random(psd=([1.0, 100.0], [1e-4, 1e-4]))
+    assert "excitation" not in found.attrs and found.attrs["question"] == "random"
+
+
 @pytest.mark.parametrize("question", QUESTIONS)
 @pytest.mark.parametrize("excitation, load", [("force", {}), ("force", LOADED), ("base", {}), ("acceleration", {})])
 def test_a_map_and_its_store_have_the_bits_of_the_batch(question, excitation, load):

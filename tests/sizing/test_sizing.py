@@ -276,6 +276,10 @@ def test_what_is_not_allowed_is_refused_in_words(monkeypatch):
         (lambda: fit(MOUNT, t=TIMES, A=TIMES, f=1.0, F=1.0), "t needs x"),
         (lambda: fit(MOUNT.replace(eta=0.1), x=0.01 * np.cos(TIMES), t=TIMES), "defined at one frequency"),
         (
+            lambda: fit(MOUNT.replace(contact="attached"), x=0.01 * np.cos(TIMES), F=np.cos(TIMES)),
+            "a fit to a loop is not available with contact = 'attached'$",
+        ),
+        (
             lambda: fit(MOUNT, *[{"x": 0.01 * np.cos(TIMES), "t": TIMES, "deviation": 1e-4}] * 2),
             "more than one free decay",
         ),

@@ -600,3 +600,5 @@ class ManyQuestions(Generic[Found, Arrays]):
 
 #: questions about motions in time under a pulse or a record of the base's acceleration
 SHOCKS = tuple(name for name, row in QUESTIONS.items() if "acceleration" in row.takes)
+#: questions about motions that have no frequency: their excitation is that of their arguments
+IN_TIME = (*SHOCKS, "random")

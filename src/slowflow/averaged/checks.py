@@ -20,11 +20,11 @@ from slowflow.answers.results import OfPoint, Remark
 from slowflow.answers.validity import MeasuredPoint
 from slowflow.averaged import diagnostics, messages, solvers
 from slowflow.averaged.isolating import (
+    ISOLATES,
     NEVER,
     WHOLE,
     Level,
     as_level,
-    begins_of,
     highest,
     isolated,
     passes_on,
@@ -333,7 +333,8 @@ def hysteresis(oscillator: Any, F_0: float) -> Hysteresis:
         if stable > 1:
             bands.append((low, high, stable))
     low, high, motions = np.array(bands).reshape(-1, 3).T
-    none = "" if bands or unresolved else "at each frequency at most one motion is stable"
+    is_known = not (bands or unresolved or Remark.CUT in folds.remarks)
+    none = "at each frequency at most one motion is stable" if is_known else ""
     between = BETWEEN.format(np.array(unresolved)) if unresolved else ""
     message = joined(folds.message, none, between, WITHIN if (folds.kind == "unstable").any() else "")
     remarks = folds.remarks | (Remark.UNDECIDED if unresolved else Remark(0))
@@ -354,7 +355,14 @@ def isolation(oscillator: Any, F_0: float, level_dB: float = 0.0) -> Isolation:
         if 0 < moves_from < math.inf:
             return made(moves_from, 0.0, False, F_0, "", curve.remarks)
         return made(None, None, False, F_0, curve.message, curve.remarks)
-    return begins_of(made, curve, level, *isolated(model, curve, F_0, level))
+    at_fold, *at = isolated(model, curve, F_0, level)
+    Omega, A = (None if math.isnan(one) else float(one) for one in at)
+    none = NEVER if Omega is None else ISOLATES if Omega == 0 else None
+    if none is None or solvers.is_cut(model, F_0):  # motions beyond the reach of the force are not known
+        message = curve.message
+    else:
+        message = joined(curve.message, none.format(str(level)))
+    return made(Omega, A, bool(at_fold), F_0, message, curve.remarks)
 
 
 def _highest(oscillator: Any, F_0: float, level: Level = WHOLE) -> float:

@@ -10,11 +10,10 @@ import math
 from collections.abc import Callable
 from functools import partial
 from operator import itemgetter
-from typing import Any, NamedTuple, TypeVar
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from slowflow.answers.answer import joined
 from slowflow.answers.transmissibility import in_motion
 from slowflow.core import validate
 from slowflow.core.mechanism import Flags, Floats, Ints
@@ -22,8 +21,6 @@ from slowflow.core.model import Model, SlowFlow
 from slowflow.support.text import Sentence
 from slowflow_kernels import inertia, slow_flow
 from slowflow_kernels.conventions import HIGHEST_OMEGA
-
-Begins = TypeVar("Begins")
 
 ISOLATES = Sentence("every motion transmits less than {what:s}")
 NEVER = Sentence("a motion that transmits more than {what:s} extends to arbitrarily high frequencies")
@@ -57,14 +54,6 @@ WHOLE = Level.of(0.0)
 def as_level(level_dB: Any) -> Level:
     """Raises Refused for a level that is no number <= 0."""
     return Level.of(validate.number("level_dB", level_dB, most=0.0))
-
-
-def begins_of(made: Callable[..., Begins], curve: Any, level: Level, at_fold: Any, *at: Any) -> Begins:
-    """An answer from the result of `begins` for a curve."""
-    Omega, *_ = numbers = [None if math.isnan(one) else float(one) for one in at]
-    none = NEVER if Omega is None else ISOLATES if Omega == 0 else None
-    message = joined(curve.message, none.format(str(level))) if none else curve.message
-    return made(*numbers, bool(at_fold), curve.F_0, message, curve.remarks)
 
 
 def passes_on(model: Model, floor: float, level: Level) -> str:

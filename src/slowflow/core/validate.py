@@ -150,7 +150,10 @@ def is_force(question: str, excitation: str) -> None:
 def is_in_time(question: str, laws: Iterable[str]) -> None:
     """NotAvailable where a question about motions without a frequency is asked of structural damping."""
     if "eta" in laws:
-        raise NotAvailable(f"{question} is not available with eta: structural damping is defined at one frequency")
+        raise NotAvailable(
+            f"{question} is not available with eta: structural damping is defined at one frequency; replace it by "
+            "viscous damping that equals it at the resonance"
+        )
 
 
 def is_plain(question: str, laws: str, *allowed: str) -> None:

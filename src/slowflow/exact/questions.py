@@ -185,7 +185,8 @@ class Motions:
             arcs = np.empty((0, len(Arc._fields)))
         elif duration is not None:
             peak = validate.number("acceleration", acceleration)
-            arcs = half_sine(peak, validate.number("duration", duration, above=SHORTEST))
+            span = validate.number("duration", duration, above=0.0)
+            arcs = half_sine(peak, validate.number("duration", span, above=SHORTEST))
         else:
             times, samples = validate.finite_array("tau", tau), validate.finite_array("acceleration", acceleration)
             if (

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, Self
 import numpy as np
 
 from slowflow.answers.answer import optional
-from slowflow.answers.table import COLUMNS, QUESTIONS, ManyQuestions, Question
+from slowflow.answers.table import COLUMNS, IN_TIME, QUESTIONS, ManyQuestions, Question
 from slowflow.core import validate
 from slowflow.core.mechanism import Mechanism
 from slowflow.core.model import THROUGHOUT
@@ -159,6 +159,8 @@ class Grid(Unchanging, ManyQuestions["xarray.Dataset", Any]):
         """The attributes of a whole map, from the answer about no designs."""
         batch = getattr(none, "answer", none)
         settings = {name: value for name, value in self.designs._settings.items() if value != THROUGHOUT}
+        if batch.question.name in IN_TIME:
+            del settings["excitation"]
         own = {"mechanism": self.mechanism.name, "title": self.mechanism.title, **settings}
         return {**own, "question": batch.question.name, "depth": batch.system, **made_by(self.mechanism)}
 

@@ -14,7 +14,7 @@ import numpy as np
 
 from slowflow.answers.answer import joined, sentences
 from slowflow.answers.results import Remark, SaddleNodeOnset
-from slowflow.answers.table import SHOCKS
+from slowflow.answers.table import IN_TIME
 from slowflow.averaged.composed import ComposedQuestions
 from slowflow.averaged.plan import OFF_CENTRE, plan_off_centre
 from slowflow.averaged.questions import Averaged
@@ -222,7 +222,7 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         return super().certify(F_0, Omega=Omega)
 
     def explain(self, question: str, F_0: float | None = None) -> Plan:
-        if question in SHOCKS:
+        if question in IN_TIME:
             validate.is_in_time(question, self.model.laws.present)
         if not self._off_centre_by:
             return super().explain(question, F_0)

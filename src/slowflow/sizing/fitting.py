@@ -602,7 +602,8 @@ def _decay(subject: Subject, x: Floats, t: Floats) -> _Measured:
 
 def _loop(subject: Subject, x: Floats, F: Floats, t: Floats | None = None) -> _Measured:
     """A force-displacement loop where the motion does not turn, less its mean force; slow where there are no times."""
-    validate.is_plain("a fit to a loop", "" if subject.contact == THROUGHOUT else f"contact = {subject.contact!r}")
+    if subject.contact != THROUGHOUT:
+        raise validate.NotAvailable(f"a fit to a loop is not available with contact = {subject.contact!r}")
     v = _velocity(x) / (1.0 if t is None else _velocity(t))
     goes = np.abs(v) > TURNS * np.abs(v).max()
     if not goes.any():
