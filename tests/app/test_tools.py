@@ -124,6 +124,7 @@ def answers():
             found["file"] = await client.call_tool("scene", scene)
             scene["psd"] = {"f": [1, 100], "G": [1e-5, 1e-5], "unit": "g^2/Hz"}
             scene["spectrum"] = {"f": [2, 5], "a": [0.04, 0.12]}
+            del scene["loop"]
             found["scene"] = await client.call_tool("scene", scene)
 
     anyio.run(session)

@@ -477,11 +477,11 @@ def residuals(ax: Axes | None, x: Values, y: Values, deviation: float, names: tu
     return ax
 
 
-def loop(ax: Axes | None, x: Values, F: Values, fitted: Values, names: tuple[str, str]) -> Axes:
-    """A measured force-displacement loop and what was fitted to it."""
+def loop(ax: Axes | None, x: Values, F: Values, force: Values, names: tuple[str, str], of: str = "fitted") -> Axes:
+    """A measured force-displacement loop and the force of a model, which `of` names."""
     ax = axes(ax)
     ax.plot(x, F, linestyle="none", marker=".", markersize=2, color="0.6", label="measured")
-    ax.plot(x, fitted, color=COLOURS[0], label="fitted")
+    ax.plot(x, force, color=COLOURS[0], label=of)
     ax.set(xlabel=label(names[0]), ylabel=label(names[1]))
     ax.legend()
     return ax

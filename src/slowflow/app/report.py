@@ -21,13 +21,14 @@ from slowflow.answers import files, page, pictures
 from slowflow.answers.answer import Answer, head, shown
 from slowflow.answers.quantities import DATA_SHEET, SHEET, SHOWN, UNITS, in_shown
 from slowflow.answers.results import Remark
-from slowflow.answers.table import COLUMNS, SHOCKS
+from slowflow.answers.table import COLUMNS, IN_TIME
 from slowflow.answers.validity import IN_PYTHON
 from slowflow.app.scenes import FORCINGS, Query, Scene
 from slowflow.app.verdict import in_words, verdict
 from slowflow.core.validate import NotAvailable
 from slowflow.oscillators.isolator import Isolator
 from slowflow.oscillators.physical import Physical
+from slowflow.sizing.fitting import _loop_of_design
 from slowflow.sizing.subject import Load, Subject
 from slowflow.support.errors import Refused
 from slowflow.support.text import in_units
@@ -92,11 +93,7 @@ AROUND = (0.8, 1.2)
 
 def html(scene: Scene) -> str:
     """The page. Raises ValueError where the scene has no forcing and no shock, or its oscillator is no isolator."""
-    if (
-        not scene.forcings()
-        and not scene.requirements
-        and not any(one.question in (*SHOCKS, "random") for one in scene.queries)
-    ):
+    if not scene.forcings() and not scene.requirements and not any(one.question in IN_TIME for one in scene.queries):
         raise Refused(f"{scene.path}: a report needs forcings in [ask], a shock, or a spectral density")
     report = Report(scene)
     if not isinstance(report.plain, Isolator):
@@ -111,6 +108,7 @@ def html(scene: Scene) -> str:
         "Load spectrum": report.spectrum(),
         "Shocks": report.shocks(),
         "Random vibration": report.random(),
+        "Measured loop": report.loop(),
         "Tolerances": report.tolerances(),
         "Neighbouring designs": report.map(),
         "Accuracy": report.trust(),
@@ -386,6 +384,19 @@ class Report:
             yield page.figure(
                 ax, "The one-sided spectral density of the displacement of the mass, relative to its base."
             )
+
+    def loop(self) -> Iterator[str]:
+        """A force-displacement loop that was measured, and the one of the design."""
+        if self.scene.loop:
+            x, F, force = _loop_of_design(self.of, **self.scene.loop)
+            (of_x, mm), (of_F, N) = in_shown("m"), in_shown("N")
+            names = pictures.measured("x", of_x), pictures.measured("F", of_F)
+            ax = pictures.loop(page.axes(), x / mm, F / N, force / N, names, "design")
+            rms = float(np.sqrt(np.mean((F - force) ** 2)))
+            difference = (
+                f"{rms / N:.3g} {of_F} RMS, {100 * rms / float(np.ptp(F) / 2):.2g} % of the amplitude of the force"
+            )
+            yield page.figure(ax, f"The loop of one mount, measured and by this design; they differ by {difference}.")
 
     def tolerances(self) -> Iterator[str]:
         """What the scene asks of tolerances."""

@@ -33,6 +33,9 @@
     G = [1e-4, 1e-4, 2.5e-7]
     unit = "g^2/Hz"             # or "(m/s^2)^2/Hz", of the base; "N^2/Hz", of a force
 
+    [loop]                      # for the report: a force-displacement loop, measured on one mount
+    file = "loop.csv"           # columns x in m, F in N; t in s, for viscous damping
+
     [require]                   # requirements: `run` and `report` give verdict and margins
     # jumps = "none"            # at each F of [ask]; detachment = "none" as well
     transmissibility_dB = { below = -10, from_f = 8 }
@@ -43,9 +46,10 @@
     k_v = [2000, "3 N/mm"]
     zeta = [0.02, 0.1]
 
-[spectrum], the record of a [shock], and [psd] may have `file = "columns.csv"` instead of lists, in the folder of the
-scene, see `slowflow.oscillators.measurements`. Only the requested questions are computed. A scene contains no code and
-no expressions: numbers, strings, lists. Errors raise `SceneError` with line, allowed values and the closest valid name.
+[spectrum], the record of a [shock], [psd] and [loop] may have `file = "columns.csv"` instead of lists, in the folder
+of the scene, see `slowflow.oscillators.measurements`. Only the requested questions are computed. A scene contains no
+code and no expressions: numbers, strings, lists. Errors raise `SceneError` with line, allowed values and the closest
+valid name.
 """
 
 from __future__ import annotations
@@ -143,11 +147,13 @@ NO_NUMBERS = ("load", "force", "excitation", "contact", "mu_s", "static_friction
 FORCINGS = (*LETTERS, "F_0")
 #: of which kind the arguments of a mount's questions are
 OF_MOUNT = {one.si or one.name: one.kind for one in COLUMNS.values()}
-OF_MOUNT |= dict(EXCITED.values())
+OF_MOUNT |= {**dict(EXCITED.values()), "x": "length"}
 #: names of the frequency
 FREQUENCIES = ("f", "Omega")
 #: tables whose columns a CSV file may have
-OF_FILES = ("spectrum", "shock", "psd")
+OF_FILES = ("spectrum", "shock", "psd", "loop")
+#: columns of a measured loop, of which the times may be left out
+OF_A_LOOP = ("x", "F", "t")
 #: what a half sine of the base is given by
 OF_A_PULSE = ("acceleration", "duration")
 
@@ -222,6 +228,7 @@ class Scene:
 
     path, text -- its source
     content    -- the same as plain Python
+    loop       -- columns of a loop that was measured on one mount
     oscillator -- an `Isolator`, `Duffing` or, in physical units, `Physical`
     queries    -- the questions with their arguments, in order
     warnings   -- implausible numbers
@@ -240,6 +247,7 @@ class Scene:
     given_forcings: tuple[float, ...] = ()
     cases: tuple[Query, ...] = ()
     free: Mapping[str, tuple[float, float]] = field(default_factory=dict)
+    loop: Mapping[str, list[float]] = field(default_factory=dict)
     answers: dict[Any, Any] = field(default_factory=dict, compare=False, repr=False)
 
     def answer(self, query: Query) -> Answer:
@@ -364,7 +372,9 @@ class _Reader:
     content: dict[str, Any]
 
     def scene(self) -> Scene:
-        self._known("", self.content, (*KINDS, "ask", "spectrum", "tolerances", "shock", "psd", "require", "free"))
+        self._known(
+            "", self.content, (*KINDS, "ask", "spectrum", "tolerances", "shock", "psd", "loop", "require", "free")
+        )
         stated = [name for name in KINDS if name in self.content]
         if len(stated) != 1:
             one_of = ", ".join(f"[{name}]" for name in KINDS)
@@ -400,7 +410,18 @@ class _Reader:
             required["cases"] = tuple(replace(one, kinds=kinds) for one in cases)
         if "free" in self.content:
             required["free"] = self._free(oscillator, kind)
+        if "loop" in self.content:
+            required["loop"] = self._loop(kind)
         return Scene(self.path, self.text, self.content, oscillator, queries, tuple(remarks), **required)
+
+    def _loop(self, kind: Kind) -> dict[str, list[float]]:
+        """A measured force-displacement loop, in SI units."""
+        table = self._table("loop")
+        if not kind.in_si:
+            raise self._error("loop", "", "is of a [mount] or a [spring], in SI units")
+        self._known("loop", table, OF_A_LOOP)
+        self._complete("loop", table, OF_A_LOOP[:2])
+        return {key: self._numbers(key, "loop") for key in table}
 
     def _free(self, oscillator: Any, kind: Kind) -> dict[str, tuple[float, float]]:
         """The numbers that may change to meet what is required, each with its ends."""

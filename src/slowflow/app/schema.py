@@ -13,7 +13,7 @@ from typing import Any
 
 from slowflow.answers.quantities import DATA_SHEET, DENSITIES, EXCITED, OF_A_BASE, SI
 from slowflow.answers.table import COLUMNS, QUOTED, SHOCKS
-from slowflow.app.scenes import FREQUENCIES, KINDS, NO_NUMBERS, OF_A_PULSE, OF_FILES, OF_MOUNT, QUESTIONS
+from slowflow.app.scenes import FREQUENCIES, KINDS, NO_NUMBERS, OF_A_LOOP, OF_A_PULSE, OF_FILES, OF_MOUNT, QUESTIONS
 from slowflow.app.verdict import AMOUNTS, NONE, TRANSMISSIBILITY
 from slowflow.oscillators.oscillator import FORCES
 from slowflow.oscillators.physical import Physical
@@ -43,6 +43,8 @@ def scene() -> Schema:
     tables["free"] = _object(
         "Free parameters to meet the requirements: lowest, highest", dict.fromkeys(_numbers(), ranges)
     )
+    of_loop = {key: _list(QUANTITY, f"samples, in {SI[OF_MOUNT[key]]}") for key in OF_A_LOOP}
+    tables["loop"] = _object("A force-displacement loop, measured on one mount", of_loop, OF_A_LOOP[:2])
     one_of = [{"required": [name]} for name in KINDS]
     return {"$schema": DRAFT, "title": "slowflow scene", **_object("", tables, ["ask"]), "oneOf": one_of}
 

@@ -564,6 +564,17 @@ def _in_time(subject: Subject, rows: Mapping[str, Any]) -> _Measured:
     return _loop(subject, **known) if "F" in known else _decay(subject, **known)
 
 
+def _loop_of_design(of: Any, x: Any, F: Any, t: Any = None) -> tuple[Floats, Floats, Floats]:
+    """A loop measured on one mount, and the force of the design: displacements, and both forces less their means.
+
+    Arguments and errors are as in `fit`; samples at which the motion reverses are left out.
+    """
+    subject = Subject(of)
+    measured = _in_time(subject, {"x": x, "F": np.multiply(F, subject.mounts), "t": t})
+    (force,) = measured.of_designs({name: np.array([[value]]) for name, value in subject.nominal.items()}, False)
+    return measured.at, measured.values / subject.mounts, force / subject.mounts
+
+
 def _systems(subject: Subject, values: Mapping[str, Any]) -> Iterator[tuple[int, EquationOfMotion, dict[str, float]]]:
     """Equations of motion of designs with their numbers and scales; none of what is no design."""
     designs, _, units = subject.designs({name: value for name, value in values.items() if name != RELEASED})
