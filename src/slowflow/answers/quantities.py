@@ -556,8 +556,8 @@ class Scales:
     def gradient(self, found: Gradient) -> Gradient:
         """Convert a gradient to SI units, with respect to a mount's data. Raises ValueError if these are not known.
 
-        A number of a mount is its dimensionless number times powers of k_v, L and m (4), and so is each number that it
-        depends on: derivatives with respect to k_v, L and m include all of these.
+        Answers and data of a mount are dimensionless numbers times powers of k_v, L and m (4): derivatives with respect
+        to k_v, L and m account for both.
         """
         from slowflow.answers.gradient import Gradient  # here, not above: the first answer does without
 

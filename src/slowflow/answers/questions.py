@@ -59,7 +59,7 @@ class Questions(Generic[States, Response, Folds]):
         Raises
         ------
         ValueError
-            For an invalid number, and under a load without damping that grows with the amplitude.
+            For an invalid number, and under a load if no damping grows with the amplitude.
         ArithmeticError
             If it is undecided which states belong to the same curve.
         """
@@ -152,7 +152,7 @@ class Questions(Generic[States, Response, Folds]):
         ArithmeticError
             If it is undecided, or if python-flint, which is not installed, is needed to resolve it.
         ValueError
-            Under a load without damping that grows with the amplitude.
+            Under a load if no damping grows with the amplitude.
         """
         return self._system._saddle_node_onset()
 
@@ -171,9 +171,8 @@ class Questions(Generic[States, Response, Folds]):
     def peak(self, F_0: float) -> Peak:
         """Find the highest peak of the response at one forcing, isolated curves included.
 
-        A peak is a maximum of the curve over Omega at which stable motions end, so that F of (24) increases with A
-        there. If the curve has none because the amplitude decreases with Omega throughout, the static amplitude at
-        Omega = 0 is returned.
+        A peak is a maximum of A over Omega on a stable branch, where F of (24) increases with A. If there is none
+        because A decreases with Omega throughout, the static amplitude at Omega = 0 is returned.
 
         Parameters
         ----------
@@ -183,19 +182,20 @@ class Questions(Generic[States, Response, Folds]):
         Returns
         -------
         Peak
-            .A .Omega; None with a message without viscous damping, if the response passes the top of a potential well,
-            and if the response to base excitation or unbalance is unbounded or its amplitude increases towards F_0
-            throughout. For a softening spring with a potential well, such as alpha u + beta u^3 with beta < 0, whose
-            top is at |u| = sqrt(-alpha/beta), it is the highest peak of motions that turn within the well. Averaging
-            also has states beyond the well, all of them unstable; `Remark.BEYOND_WELL` marks `amplitudes` and
-            `frequency_response` that contain them. Under a load it is the largest amplitude of motions with a positive
-            mean stiffness, with .B, and the largest |u| = |B| + A of all of them, .u_max at .Omega_max; it is proved,
-            up to the amplitude `A_max(F_0)` of `off_centre`, that no motion exceeds it by more than a relative 2^-24.
+            .A .Omega; None and a message if there is no viscous damping, if the response passes the top of a potential
+            well, or if the response to base excitation or unbalance has no peak: it is unbounded, or its amplitude
+            increases towards F_0 throughout. For a softening spring with a potential well, such as alpha u + beta u^3
+            with beta < 0, whose top is at |u| = sqrt(-alpha/beta), it is the highest peak of motions that turn within
+            the well. Averaging also has states beyond the well, all of them unstable; `Remark.BEYOND_WELL` marks
+            `amplitudes` and `frequency_response` that contain them. Under a load, motions with a positive mean
+            stiffness count: .A is their largest amplitude, with the mean .B, and .u_max at .Omega_max their largest |u|
+            = |B| + A. It is proved, up to the amplitude `A_max(F_0)` of `off_centre`, that no motion exceeds these by
+            more than a relative 2^-24.
 
         Raises
         ------
         ValueError
-            For F_0 <= 0, and under a load without damping that grows with the amplitude.
+            For F_0 <= 0, and under a load if no damping grows with the amplitude.
         ArithmeticError
             Under a load, if too many boxes stay undecided.
         """

@@ -290,7 +290,7 @@ class SteadyStates(
 
         The derivatives are exact. A state that is a fold, or lies on a breakpoint at which the force jumps, has no
         gradient;
-        `.status` and `.message` say so. Under a load also B, and with respect to the load; raises NotAvailable if the
+        `.status` and `.message` say so. Under a load also B, and with respect to the load; raises Refused if the
         derivatives of the force with respect to the design are not known.
         """
         return self._gradient_from("amplitudes", self.Omega, self.A, self.F_0, self.phi, self.transmissibility)
@@ -493,7 +493,7 @@ class IsolaPoints(Table, entry="IsolaPoint"):
 class Peak(Point):
     """The highest peak of the response at one forcing, isolas included; None and a message if there is none.
 
-    It is a maximum of the curve at which stable motions end; for a softening spring it lies within the potential well.
+    It is a maximum of A over Omega on a stable branch; for a softening spring it lies within the potential well.
 
     B, load  -- under a load, its mean displacement, and the load over k_v L
     u_max, Omega_max -- under a load, the largest |u| = |B| + A of all motions with positive mean stiffness, which the
@@ -523,7 +523,7 @@ class Peak(Point):
 
         The derivatives are exact. A peak that is an isola point, or lies on a breakpoint at which the force jumps, has
         no gradient; `.status` and `.message` say so. Of two peaks of equal height, the gradient is that of the reported
-        one. Under a load also B, and u_max if it belongs to the same motion; raises NotAvailable if the peak lies at a
+        one. Under a load also B, and u_max if it belongs to the same motion; raises Refused if the peak lies at a
         turning point of the mean.
         """
         return self._gradient_from("peak", self.Omega, self.A, self.F_0)

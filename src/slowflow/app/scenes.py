@@ -26,7 +26,7 @@
 
     [shock]                     # for "transient" and "shock_spectrum": half sines of the base, all combinations
     acceleration = [20.0]       # m/s^2
-    duration = [0.011, 0.02]    # s; or, of one record, its times t (tau without dimensions)
+    duration = [0.011, 0.02]    # s; for one record t instead, its times (tau without dimensions)
 
     [psd]                       # for "random": a one-sided power spectral density, linear in log-log
     f = [1, 5, 100]             # Hz; Omega for a dimensionless oscillator, without unit
@@ -232,7 +232,8 @@ class Scene:
     oscillator -- an `Isolator`, `Duffing` or, in physical units, `Physical`
     queries    -- the questions with their arguments, in order
     warnings   -- implausible numbers
-    requirements -- requirements at the forcings of [ask], `given_forcings`, and in shocks and spectra, `cases`
+    requirements -- the requirements
+    given_forcings, cases -- forcings of [ask], and shocks and spectra, to which they apply
     free       -- parameters of the oscillator that may change to meet them, each with its range
     answers    -- answers computed so far, by question and arguments
     """
@@ -298,7 +299,7 @@ class Scene:
         return replace(self, oscillator=design, answers={})
 
     def with_numbers(self, numbers: Mapping[str, float], folder: Path | None = None) -> str:
-        """Its text with other parameters of the oscillator, as a file in `folder`, by default its own.
+        """Return its text with other parameters of the oscillator, for a file in `folder`, by default its own.
 
         Relative paths of CSV files are adapted. Raises SceneError if the text does not have one parameter per line.
         """

@@ -64,7 +64,7 @@ class Composed:
     """Common part of answers that combine others."""
 
     def gradient(self) -> Gradient:
-        """Raise NotAvailable: only the answers that it combines have gradients."""
+        """Raise Refused: only the answers that it combines have gradients."""
         raise validate.NotAvailable(NO_GRADIENT)
 
 
@@ -90,7 +90,7 @@ class AtRest(Composed, Single):
 
 @dataclass(frozen=True, eq=False)
 class Margins(Composed, Single):
-    """The critical forcings over a forcing F_0; None if there is no such forcing.
+    """The critical forcings, and their ratios to a forcing F_0; None if there is no such forcing.
 
     F_SN, F_cr  -- the lowest forcing that has a fold, and the lowest that detaches the springs; under base excitation
             or unbalance F_cr may be a limit that is not attained, as the frequency tends to inf
@@ -143,7 +143,7 @@ class Isolation(OfPoint, Single):
 
     Omega -- that frequency; 0 if every motion transmits less; None if there is no motion, or no such frequency
     A     -- the amplitude at Omega
-    at_fold -- whether a motion that transmits more ends at Omega in a fold, without attaining the level
+    at_fold -- whether the motions that transmit more end at Omega in a fold, still above the level
     B, load -- under a load, the mean displacement at Omega, None if A is None, and the load over k_v L
     remarks -- flags of the response
     level_dB -- the transmissibility in decibels, not printed if 0

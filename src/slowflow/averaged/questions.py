@@ -80,9 +80,10 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
     def sticking_forcing(self) -> float:
         """Amplitude of the excitation up to which a mass at rest sticks at every frequency: 4 mu/pi (27).
 
-        With a preload c sign(u) it is 4/pi sqrt(mu^2 + c^2), the limit of F_0 as A tends to 0; above 4 mu/pi, or less
-        with contact="attached", motions may coexist with the mass at rest, and a message reports them. It is 0 for base
-        excitation and unbalance, which move the mass from Omega = sqrt(4 mu/(pi F_0)) on, however small they are.
+        With a preload c sign(u) it is 4/pi sqrt(mu^2 + c^2), the limit of F_0 as A tends to 0; above 4 mu/pi, with
+        contact="attached" even below, motions may coexist with the mass at rest, and a message reports them. It is 0
+        for base excitation and unbalance, which move the mass from Omega = sqrt(4 mu/(pi F_0)) on, however small they
+        are.
         """
         return 0.0 if self.model.inertial else self.model.break_loose
 

@@ -74,7 +74,7 @@ def sweep(
     most_turns -- largest number of periods of the forcing at one frequency
 
     At each frequency the motion is followed until it is shown to tend to a periodic one, from which the next frequency
-    continues. A jump is a change of branch, see `Branches`. Raises ValueError for parameters out of range, or if the
+    continues. A jump is a change of branch. Raises ValueError for parameters out of range, or if the
     mass never moves, ArithmeticError if the motion escapes or chatters.
     """
     frequencies = np.array(Omega, dtype=float, order="C")

@@ -120,14 +120,17 @@ class Transient(Drawn):
 
 
 def half_sine(acceleration: Any, duration: Any) -> Floats:
-    """Make a half sine, acceleration sin(pi tau/duration) for 0 <= tau <= duration, as arcs of shape (..., 1, 4)."""
+    """Make a half sine, acceleration sin(pi tau/duration) for 0 <= tau <= duration, as arcs, shape (..., 1, 4).
+
+    An arc is a row (span, Omega, F, theta), the acceleration -F cos(theta + Omega tau) for 0 <= tau <= span.
+    """
     a, span = np.broadcast_arrays(np.asarray(acceleration, dtype=float), np.asarray(duration, dtype=float))
     columns = span, math.pi / span, np.abs(a), np.copysign(0.5 * math.pi, a)
     return np.stack(columns, axis=-1)[..., np.newaxis, :]
 
 
 def record(tau: Floats, acceleration: Floats) -> Floats:
-    """Interpolate an acceleration sampled at ascending tau, shape (..., n), by arcs, shape (..., n - 1, 4)."""
+    """Interpolate an acceleration sampled at ascending tau, shape (..., n), by arcs of `half_sine`, (..., n - 1, 4)."""
     before, after = -acceleration[..., :-1], -acceleration[..., 1:]
     # F cos theta at both ends of the arc
     quadrature = (before * math.cos(ARC) - after) / math.sin(ARC)
@@ -147,7 +150,7 @@ def transient(
     v: float = 0.0,
     rest: float | None = None,
 ) -> Transient:
-    """Integrate the motion from u = `at` with velocity v under the arcs, rows of `Arc`, and free motion afterwards.
+    """Integrate the motion from u = `at` with velocity v under arcs, as of `half_sine`, and free motion afterwards.
 
     begin -- tau at which the arcs begin
     after -- duration of the free motion; it is prolonged until the mass has reversed twice or friction holds it. As the

@@ -1,4 +1,4 @@
-"""Batches of oscillators at three levels of approximation. Takes arrays; returns averaged to exact answers.
+"""Batches of oscillators at three levels of approximation. Takes arrays; returns averaged and exact answers.
 
 The averaged questions come from `slowflow.averaged.many`; the others, and maps, are imported on first use.
 """

@@ -56,7 +56,7 @@ class RestPositions(Table, entry="Rest"):
     _model: Model | None = field(default=None, kw_only=True, repr=False)
 
     def measure(self, force: str | None = None) -> NoReturn:
-        """Raise NotAvailable: an equilibrium is exact, nothing is averaged."""
+        """Raise Refused: an equilibrium is exact, nothing is averaged."""
         raise validate.NotAvailable(NOT_MEASURED)
 
     def gradient(self) -> Gradient:
@@ -64,7 +64,7 @@ class RestPositions(Table, entry="Rest"):
 
         The derivatives are exact. Where two equilibria meet, or one lies on a breakpoint of the force, there is no
         gradient;
-        `.status` and `.message` say so. Raises NotAvailable if the derivatives of the force with respect to the design
+        `.status` and `.message` say so. Raises Refused if the derivatives of the force with respect to the design
         are not known.
         """
         return sensitivities.of_rest(Design.of(self._model, self.load), self.u)

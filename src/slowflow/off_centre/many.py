@@ -55,7 +55,7 @@ class OffCentreBatch(Batch):
         or no gradient. For a peak, the slopes of `u_max` are NaN if it belongs to another motion; so are slopes with
         respect to eta and c_2 for designs that have neither.
 
-        Raises NotAvailable if the derivatives of the force with respect to the design are not known, and for an answer
+        Raises Refused if the derivatives of the force with respect to the design are not known, and for an answer
         without gradient.
         """
         if (names := NUMBERS.get(self.question.name)) is None:

@@ -1,7 +1,6 @@
 """The averaged questions about offset motions. Takes a force as steps with damping and load; returns states with B.
 
-The motion is u = B + A cos psi, with the balance of the mean f_0(A, B) = 0. `slowflow.off_centre.complete`
-makes every answer complete.
+The motion is u = B + A cos psi, with the balance of the mean f_0(A, B) = 0.
 """
 
 from __future__ import annotations

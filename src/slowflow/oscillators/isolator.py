@@ -181,9 +181,9 @@ class Isolator(Oscillator):
         """Make an isolator from its data sheet, with arguments and answers in newtons, metres and hertz.
 
         Arguments are numbers in these units, or quantities of pint. Without `load` the vertical spring is assumed to be
-        preloaded by m g/k_v, so that m rests at the centre, where the push-rods are horizontal. Another load rests off
-        the centre, at `rest()`, and its motions are asymmetric: answers then include a mean B. An allowed number that
-        seems to be in another unit, such as L = 80, gives a warning.
+        preloaded by m g/k_v, so that m rests at the centre, where the push-rods are horizontal. A mount with another
+        load rests off the centre, at `rest()`, and its motions are asymmetric: answers then include a mean B. An
+        allowed number that seems to be in another unit, such as L = 80, gives a warning.
 
         Parameters
         ----------

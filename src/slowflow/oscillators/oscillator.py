@@ -1,4 +1,4 @@
-"""One oscillator at three depths of analysis. Takes a mechanism with its numbers; returns averaged to exact answers.
+"""One oscillator at three depths of analysis. Takes a mechanism and its numbers; returns averaged and exact answers.
 
 The averaged questions come from `Averaged`; the second approximation and exact motions are imported on first use.
 """
@@ -92,8 +92,9 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         Static friction over k_v L, >= mu: it holds a mass at rest in exact motions; averaging does not use it.
     excitation : {"force", "base", "unbalance"}
         The excitation of amplitude F_0: a force over k_v L, a displacement of the base over L, or a rotating mass times
-        its radius over m L. The last two are forces F_0 Omega^2, need zeta, eta or c_2 > 0 and c_3 = 0, and have no
-        proofs. A base whose acceleration has a constant amplitude a acts as a force, F_0 = m a/(k_v L).
+        its radius over m L. The last two act as forces F_0 Omega^2; they require c_3 = 0 and at least one of zeta, eta
+        and c_2 > 0, and have no proofs. A base whose acceleration has a constant amplitude a acts as a force, F_0 = m
+        a/(k_v L).
     load : float
         Static load over k_v L in addition to the load that the vertical spring carries at the centre. Motions then have
         a mean displacement; questions that do not support it raise ValueError, see `off_centre`.
@@ -204,7 +205,7 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         return self._off_centre
 
     def at_centre(self, question: str) -> None:
-        """Raise NotAvailable for a question that has no answer under a load."""
+        """Raise Refused for a question that has no answer under a load."""
         if self._off_centre_by:
             raise validate.NotAvailable(CENTRED.format(question, self._off_centre_by))
 
@@ -355,9 +356,9 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         A : float, optional
             Select the motion with the amplitude nearest to A, stable or not. Newton's iteration starts from the
             averaged states at Omega, from the averaged folds near it (not under a load) and from A itself; if none
-            converges, the motion from the averaged state nearest to A is followed until it settles; with static
-            friction also the motion of a mass at rest. Close to a fold the nearest one may be unstable, see `.stable`.
-            By default the motion that a mass at rest tends to.
+            converges, the motion from the averaged state nearest to A is followed until it settles. With static
+            friction the motion that a mass at rest tends to is a candidate too. Close to a fold the nearest one may be
+            unstable, see `.stable`. By default the motion that a mass at rest tends to.
         force : {"truncated", "untruncated"}, optional
             As in `restoring_force`.
         u_0, v_0 : float, optional
@@ -554,15 +555,15 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         -------
         RandomResponse
             .B, the mean, .u_rms about it, .v_rms .a_rms, .stiffness and .damping of the equivalent linear oscillator,
-            .beyond and .crossing_rate of the first breakpoint, in ascending order of u_rms; for what it is proved that
-            there are no others, see `RandomResponse`. If there are several, or if dry friction dominates the damping,
-            `.message` reports it; `.measure()` compares with simulated motions.
+            .beyond and .crossing_rate of the first breakpoint; one entry per motion, in ascending order of u_rms.
+            `RandomResponse` states what is proved about their number. If there are several, or if dry friction
+            dominates the damping, `.message` reports it; `.measure()` compares with simulated motions.
 
         Raises
         ------
         ValueError
-            If both or neither of S_0 and psd are given; without zeta and mu (under white noise c_2 suffices, under a
-            psd mu with contact="attached" does not); for eta > 0.
+            If both or neither of S_0 and psd are given; for eta > 0; if zeta and mu are 0, unless c_2 > 0 under white
+            noise; under a psd also if zeta is 0 and contact="attached".
         ArithmeticError
             Where there is no stationary motion; under a load also if the spring force does not exceed it far away.
         """

@@ -184,7 +184,7 @@ def fit(
     x, t : array_like, optional
         A free decay: displacements (for a mount in m) and their times (in s), released from rest at the first sample.
         The equation of motion is integrated from an initial displacement x_0 that is fitted too. The decay of the
-        starting point must stay in phase with the data, within a fraction of a cycle. Instead with F, forces in N: a
+        starting point must stay in phase with the data, within a fraction of a cycle. Or, with forces F in N, a
         force-displacement loop, whose viscous part needs the times; its mean force is ignored.
     free : sequence of str, optional
         Names of the parameters to fit; by default friction, damping and stiffnesses.

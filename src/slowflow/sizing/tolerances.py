@@ -58,7 +58,7 @@ class Tolerances(Table, entry="Tolerance"):
     drawn: Mapping[str, Floats] = field(repr=False)
 
     def in_units(self) -> Tolerances:
-        """The same in the units in which answers are shown: N, mm, Hz, ... . What was drawn stays in SI units."""
+        """The same in the units in which answers are shown: N, mm, Hz, ... . Drawn parameters stay in SI units."""
         units, of = zip(*map(in_shown, self.unit.tolist()), strict=True)
         shown, sizes = np.array(units, dtype=np.str_), np.array(of)
         bands: dict[str, Any] = {name: getattr(self, name) / sizes for name in ("nominal", "low", "median", "high")}

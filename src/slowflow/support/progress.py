@@ -1,6 +1,6 @@
 """Progress of long computations, logged under "slowflow" at level INFO.
 
-A line is logged after a second, and again after each further tenth of the elapsed time, but at most once a second.
+A line is logged after one second, then whenever the elapsed time has grown by a tenth, but at most once a second.
 Programs that configure `logging` see these lines; others use `shown`.
 
     from slowflow import Isolator
