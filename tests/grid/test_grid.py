@@ -563,7 +563,7 @@ def test_a_force_with_named_axes_is_not_taken_for_one_without():
 
 
 def test_the_second_approximation_proves_nothing(tmp_path):
-    with pytest.raises(ValueError, match="the second approximation has no proofs"):
+    with pytest.raises(ValueError, match="proofs concern the averaged equations"):
         over().second_approximation.store(tmp_path / "map.zarr", "certify", F_0=0.05)
 
 

@@ -16,14 +16,12 @@ import numpy as np
 
 from slowflow.answers.results import Remark
 from slowflow.answers.table import AVERAGING, QUESTIONS, Codes
-from slowflow.averaged import checks, isolating
+from slowflow.averaged import checks, isolating, many
 from slowflow.averaged.batches import Batch
 from slowflow.averaged.diagnostics import gives_way
-from slowflow.averaged.many import Designs
 from slowflow.averaged.questions import Averaged
 from slowflow.core import validate
 from slowflow.core.mechanism import Flags, Floats, Ints
-from slowflow.core.model import THROUGHOUT
 from slowflow.support import progress
 from slowflow_kernels import dissipation, inertia, slow_flow
 from slowflow_kernels.conventions import Status
@@ -39,30 +37,16 @@ FAILED = (Status.NO_BOUND, Status.UNRESOLVED, Status.NO_MEMORY)
 
 
 def at_rest(designs: Designs, workers: int = 1) -> Batch:
-    """See `slowflow.grid.many.Designs.at_rest`."""
-    allowed, shape = designs.detachment(workers=workers).status != Status.INVALID, designs.shape
-    mu = np.asarray(designs.values["mu"], dtype=float)
-    with np.errstate(all="ignore"):  # what is no design has no stiffness
-        flow = designs._flow
-        k_0 = -np.asarray(flow.mechanism.at_rest(*flow.parameters)[1])
-        untruncated = designs.mechanism.load_untruncated
-        law = designs.mechanism if untruncated is None else untruncated()
-        of_law = law.coefficients(*designs.design)
-        within = checks.rests_within(law.pieces, of_law, law.breakpoints(*of_law), mu)
-        end = flow.first_end
-        if designs.contact != THROUGHOUT:
-            within = np.minimum(within, end)
-        Omega_0 = np.sqrt(k_0)
-    # also where no forcing reaches it
-    u_cr = np.where(np.isfinite(end), end, np.nan)
-    columns = {"Omega_0": Omega_0, "k_0": k_0, "u_cr": u_cr, "break_loose": mu}
-    columns |= {"rests_within": within, "sticking": np.asarray(slow_flow.friction(mu))}
-    found = {name: np.where(allowed, np.broadcast_to(value, shape), np.nan) for name, value in columns.items()}
+    """See `slowflow.answers.table.ManyQuestions.at_rest`."""
+    allowed = designs.detachment(workers=workers).status != Status.INVALID
+    with np.errstate(all="ignore"):  # what is no design has no pieces
+        columns = checks.static(designs._flow, designs.design, np.asarray(designs.values["mu"], dtype=float))
+    found = {name: np.where(allowed, np.broadcast_to(one, designs.shape), np.nan) for name, one in columns.items()}
     return Batch("at_rest", found | {"status": np.where(allowed, Status.OK, Status.INVALID).astype(np.int8)}, designs)
 
 
 def margins(designs: Designs, F_0: Any, workers: int = 1) -> Batch:
-    """See `slowflow.grid.many.Designs.margins`."""
+    """See `slowflow.answers.table.ManyQuestions.margins`."""
     folds, peaks = designs.saddle_nodes(F_0, workers=workers), designs.peak(F_0, workers=workers)
     onsets, detachments = designs.saddle_node_onset(workers=workers), designs.detachment(workers=workers)
     shape, allowed = folds.status.shape, folds.status != Status.INVALID
@@ -121,7 +105,7 @@ def full(designs: Designs, F_0: Any) -> Floats:
 
 
 def hysteresis(designs: Designs, F_0: Any, max_count: int = 3, workers: int = 1) -> Batch:
-    """See `slowflow.grid.many.Designs.hysteresis`."""
+    """See `slowflow.answers.table.ManyQuestions.hysteresis`."""
     folds = designs.saddle_nodes(F_0, workers=workers)
     shape = folds.status.shape
     columns = QUESTIONS["hysteresis"].blank(AVERAGING, shape, place=max_count)
@@ -153,7 +137,7 @@ def hysteresis(designs: Designs, F_0: Any, max_count: int = 3, workers: int = 1)
 
 
 def isolation(designs: Designs, F_0: Any, level_dB: Any = None, workers: int = 1) -> Batch:
-    """See `slowflow.grid.many.Designs.isolation`.
+    """See `slowflow.answers.table.ManyQuestions.isolation`.
 
     Uses `isolating.isolated_each` with peaks and folds. Designs whose motions may leave the centre, or whose peak or
     folds are not all known, are evaluated singly.
@@ -205,13 +189,8 @@ def isolation(designs: Designs, F_0: Any, level_dB: Any = None, workers: int = 1
 
 
 def spectrum(designs: Designs, Omega: Any, F_0: Any, workers: int = 1) -> Batch:
-    """See `slowflow.grid.many.Designs.spectrum`."""
-    rows = Designs(
-        designs.mechanism,
-        {name: value[..., np.newaxis] for name, value in designs.values.items()},
-        designs.excitation,
-        designs.contact,
-    )
+    """See `slowflow.answers.table.ManyQuestions.spectrum`."""
+    rows = designs._with_values({name: value[..., np.newaxis] for name, value in designs.values.items()})
     arguments = {"Omega": Omega, "F_0": F_0}
     states = _with_all(partial(rows.amplitudes, **arguments, workers=workers))
     shape = states.status.shape
@@ -267,8 +246,7 @@ def _sides(
     own = [F_0, *(value[which] for value in spread.values())]
     new = np.ones(which.size, dtype=bool)
     new[1:] = np.any([value[1:] != value[:-1] for value in own], axis=0)
-    values = {name: value[which][new] for name, value in spread.items()}
-    designs = Designs(rows.mechanism, values, rows.excitation, rows.contact)
+    designs = rows._with_values({name: value[which][new] for name, value in spread.items()})
     folds = _with_all(partial(designs.saddle_nodes, F_0[new], workers=workers))
     of = np.cumsum(new) - 1
     failed = np.isin(folds.status[of], FAILED)
@@ -289,3 +267,20 @@ def _with_all(ask: Callable[..., Any]) -> Any:
     """The batch that `ask` gives, with places for all that any design has."""
     found = ask()
     return ask(max_count=int(found.count.max())) if (found.status == Status.TOO_MANY).any() else found
+
+
+#: the questions that combine others, by name
+COMBINED = {one.__name__: one for one in (at_rest, margins, hysteresis, isolation, spectrum)}
+
+
+class Designs(many.Designs):
+    """Arrays of designs of one mechanism; questions that combine others are functions of this module."""
+
+    def _ask(self, question: str, /, *, workers: int = 1, **kwargs: Any) -> Batch:
+        """The answer to a question by its name, from what its method takes."""
+        if (combined := COMBINED.get(question)) is None:
+            return super()._ask(question, workers=workers, **kwargs)
+        if "max_count" in kwargs:
+            kwargs["max_count"] = validate.count("max_count", kwargs["max_count"], least=1)
+        found: Batch = combined(self, **kwargs, workers=workers)
+        return found

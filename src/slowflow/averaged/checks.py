@@ -213,22 +213,28 @@ class Spectrum(Composed, Table, entry="Load"):
 
 def at_rest(oscillator: Any) -> AtRest:
     """See `Oscillator.at_rest`; for an oscillator about its centre."""
-    (stiffness,) = oscillator.stiffness([0.0]).tolist()
     model = oscillator.model
-    only = model.mechanism.truncated and model.mechanism.load_untruncated is None
-    force = oscillator.restoring_force(None if only else "untruncated")
-    laws, constants = [piece.law for piece in force.pieces], force.pieces[0].constants
-    within = float(rests_within(laws, constants, force.breakpoints, oscillator.mu_s))
-    if model.laws.contact != THROUGHOUT:
-        within = min(within, model.breakpoints[0])
-    return AtRest(
-        math.sqrt(stiffness) if stiffness >= 0 else None,
-        stiffness,
-        next(iter(oscillator.breakpoints), None),
-        oscillator.mu_s,
-        within if within < math.inf else None,
-        model.m,
-    )
+    found = {name: float(value) for name, value in static(model, model.design, oscillator.mu_s).items()}
+    none = {name for name, value in found.items() if not math.isfinite(value)}
+    return AtRest(**{name: None if name in none else value for name, value in found.items()})  # type: ignore[arg-type]
+
+
+def static(flow: SlowFlow, design: Sequence[Any], mu: Any) -> dict[str, Any]:
+    """The columns of `AtRest`, of one oscillator or of many; NaN, or inf for `rests_within`, where there is none.
+
+    design -- the numbers of the design; mu -- the friction that holds a mass at rest
+    """
+    law, of_law, end = flow.mechanism, flow.parameters, flow.first_end
+    with np.errstate(all="ignore"):  # what is no design has no stiffness
+        if law.load_untruncated is not None:
+            law = law.load_untruncated()
+            of_law = law.coefficients(*design)
+        k_0 = -flow._rest[1]
+        within = rests_within(law.pieces, of_law, law.breakpoints(*of_law), mu)
+        if flow.laws.contact != THROUGHOUT:
+            within = np.minimum(within, end)
+        found = {"Omega_0": np.sqrt(k_0), "k_0": k_0, "u_cr": np.where(np.isfinite(end), end, np.nan)}
+    return found | {"break_loose": mu, "rests_within": within, "sticking": flow.m}
 
 
 def rests_within(laws: Sequence[Law], parameters: Sequence[Any], ends: Sequence[Any], mu: Any) -> Floats:

@@ -5,7 +5,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from slowflow.answers.questions import Questions
 from slowflow.answers.results import FrequencyResponse, SaddleNodes, SteadyStates
@@ -21,16 +21,18 @@ class ComposedQuestions(Questions[SteadyStates, FrequencyResponse, SaddleNodes])
     def _check_margins(self) -> None:
         """Raises NotAvailable where it is not known which forcing detaches; of most systems it always is."""
 
+    def _composed(self, question: str, *arguments: Any) -> Any:
+        """The answer of the function of that name in `checks`, which is imported on first use."""
+        from slowflow.averaged import checks
+
+        return getattr(checks, question)(self, *arguments)
+
     def _detaches(self, F_0: float) -> bool:
         """Whether a stable motion passes the first breakpoint."""
-        from slowflow.averaged import checks
-
-        return checks.passes_first_end(self, F_0)
+        return self._composed("passes_first_end", F_0)
 
     def _isolation(self, F_0: float, level_dB: float) -> checks.Isolation:
-        from slowflow.averaged import checks
-
-        return checks.isolation(self, F_0, level_dB)
+        return self._composed("isolation", F_0, level_dB)
 
     def margins(self, F_0: float) -> checks.Margins:
         """Compare F_0 with the lowest forcing that has a fold, F_SN, and the lowest that detaches the springs, F_cr.
@@ -50,9 +52,7 @@ class ComposedQuestions(Questions[SteadyStates, FrequencyResponse, SaddleNodes])
         ValueError
             For F_0 <= 0.
         """
-        from slowflow.averaged import checks
-
-        return checks.margins(self._system, F_0)
+        return self._system._composed("margins", F_0)
 
     def hysteresis(self, F_0: float) -> checks.Hysteresis:
         """Find the bands of frequencies at F_0 with several stable motions: a sweep jumps at their ends.
@@ -73,9 +73,7 @@ class ComposedQuestions(Questions[SteadyStates, FrequencyResponse, SaddleNodes])
         ValueError
             For F_0 <= 0.
         """
-        from slowflow.averaged import checks
-
-        return checks.hysteresis(self._system, F_0)
+        return self._system._composed("hysteresis", F_0)
 
     def isolation(self, F_0: float, level_dB: float = 0.0) -> checks.Isolation:
         """Find the frequency above which every stable motion at F_0 transmits less than F_0, or a given fraction of it.
@@ -125,6 +123,4 @@ class ComposedQuestions(Questions[SteadyStates, FrequencyResponse, SaddleNodes])
         ValueError
             For numbers <= 0 and for shapes that do not broadcast.
         """
-        from slowflow.averaged import checks
-
-        return checks.spectrum(self._system, Omega, F_0)
+        return self._system._composed("spectrum", Omega, F_0)

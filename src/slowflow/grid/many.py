@@ -9,7 +9,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from slowflow.answers.table import SHOCKS
-from slowflow.averaged import batch_checks, many
+from slowflow.averaged import batch_checks
 from slowflow.core import validate
 
 if TYPE_CHECKING:
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from slowflow.second.many import SecondDesigns
 
 
-class Designs(many.Designs):
+class Designs(batch_checks.Designs):
     """Arrays of designs of one mechanism, at three levels of approximation; see `slowflow.averaged.many`."""
 
     @cached_property
@@ -42,9 +42,4 @@ class Designs(many.Designs):
             from slowflow.random_vibration import many as random_many
 
             return random_many.answer(self, **kwargs, workers=workers)
-        if (combined := getattr(batch_checks, question, None)) is None:
-            return super()._ask(question, workers=workers, **kwargs)
-        if "max_count" in kwargs:
-            kwargs["max_count"] = validate.count("max_count", kwargs["max_count"], least=1)
-        found: Batch = combined(self, **kwargs, workers=workers)
-        return found
+        return super()._ask(question, workers=workers, **kwargs)

@@ -252,11 +252,7 @@ class OffCentreDesigns(many.Designs):
         """
         own = {name: numbers[name] for name in self.values if name != "load"}
         options = {**options, **{name: value for name, value in numbers.items() if name not in self.values}}
-        designs = many.Designs(self.mechanism, own, self.excitation)
-        composed = question in COMPOSED
-        ask = partial(getattr(batch_checks, question), designs) if composed else partial(designs._ask, question)
-        found: Batch = ask(**options, workers=workers)
-        return found
+        return batch_checks.Designs(self.mechanism, own, self.excitation)._ask(question, **options, workers=workers)
 
     def _of_one(self, question: Question, numbers: tuple[float, ...], at: dict[str, float], max_count: int) -> Found:
         """One design's answer, with a status in place of an exception."""
@@ -299,7 +295,6 @@ def check_polynomial(mechanism: Mechanism) -> None:
 AS_CENTRED = {"A": "u_cr", "u_max": "A", "Omega_max": "Omega"}
 #: questions about the centre that many designs have
 CENTRED = frozenset(("at_rest", "certify", "second_approximation"))
-COMPOSED = ("margins", "hysteresis", "isolation")
 
 
 def _of_centred(found: Batch, name: str) -> Any:

@@ -45,6 +45,9 @@ if TYPE_CHECKING:
     from slowflow.oscillators.physical_designs import PhysicalDesigns
     from slowflow.random_vibration.answers import RandomResponse
 
+    #: the amplitude of the excitation, by its letter
+    At = Amplitude[Number]
+
 #: meaning of A for a motion with a mean displacement
 LARGEST = "A is the largest |x|, the mean displacement included: x_max of an averaged motion"
 
@@ -210,13 +213,11 @@ class Physical(TakesAmplitude):
         """Find the lowest amplitude whose response reaches the stroke (34): .F_cr in N, .f_cr in Hz, .x_cr in m."""
         return self._answer("detachment")
 
-    def saddle_nodes(
-        self, amplitude: Number | None = None, /, **at: Unpack[Amplitude[Number]]
-    ) -> answers.AtOne[results.SaddleNodes]:
+    def saddle_nodes(self, amplitude: Number | None = None, /, **at: Unpack[At]) -> answers.AtOne[results.SaddleNodes]:
         """Find every fold at F in N (or Y, a, U), where a sweep jumps (30): .f in Hz, .A in m, .kind, .corner."""
         return self._answer("saddle_nodes", amplitude, at)
 
-    def peak(self, amplitude: Number | None = None, /, **at: Unpack[Amplitude[Number]]) -> answers.One[results.Peak]:
+    def peak(self, amplitude: Number | None = None, /, **at: Unpack[At]) -> answers.One[results.Peak]:
         """Find the highest peak at F in N (or Y, a, U): .A in m at .f in Hz; under a load .x_max at .f_max too."""
         return self._answer("peak", amplitude, at)
 
@@ -241,7 +242,7 @@ class Physical(TakesAmplitude):
         *,
         f: Window | None = None,
         samples: int = 1000,
-        **at: Unpack[Amplitude[Number]],
+        **at: Unpack[At],
     ) -> answers.AtOne[results.FrequencyResponse]:
         """Compute the response curve (24): .f in Hz, .A in m, .phi in rad, .stable, .branch, .transmissibility_dB.
 
@@ -281,7 +282,7 @@ class Physical(TakesAmplitude):
         """Amplitude of the excitation, in SI units, up to which a mass sticks at every frequency, 4 mu/pi (27)."""
         return self.oscillator.sticking_forcing * self.scales.sizes[self.scales.amplitude]
 
-    def transmissibility_floor(self, amplitude: Number | None = None, /, **at: Unpack[Amplitude[Number]]) -> float:
+    def transmissibility_floor(self, amplitude: Number | None = None, /, **at: Unpack[At]) -> float:
         """Compute the transmissibility as f tends to infinity at F in N (or Y, a, U), a ratio."""
         one, F_0 = self._excited(amplitude, at)
         return float(one._ask("transmissibility_floor", F_0=F_0))
@@ -304,7 +305,7 @@ class Physical(TakesAmplitude):
         return np.asarray(one._ask("limit_envelope", f=f, F_0=F_0) * self.scales.sizes["length"])
 
     def certify(
-        self, amplitude: Number | None = None, /, *, f: Number | None = None, **at: Unpack[Amplitude[Number]]
+        self, amplitude: Number | None = None, /, *, f: Number | None = None, **at: Unpack[At]
     ) -> answers.Certificate:
         """Prove all folds at one amplitude, F_SN and F_cr in N, and all states at a frequency.
 
@@ -328,7 +329,7 @@ class Physical(TakesAmplitude):
         samples: int = 400,
         x_0: Number | None = None,
         v_0: Number = 0.0,
-        **at: Unpack[Amplitude[Number]],
+        **at: Unpack[At],
     ) -> answers.SteadyState[exact.SteadyState]:
         """Find a periodic motion of the equation of motion (3), and its displacement over one period.
 
@@ -371,7 +372,7 @@ class Physical(TakesAmplitude):
         step: float = 0.02,
         x_0: Number | None = None,
         v_0: Number = 0.0,
-        **at: Unpack[Amplitude[Number]],
+        **at: Unpack[At],
     ) -> answers.Response[exact.Response]:
         """Follow the response curve of the equation of motion (3): points, stability, stops, folds.
 
@@ -405,7 +406,7 @@ class Physical(TakesAmplitude):
         return cast("answers.Response[exact.Response]", dataclasses.replace(curve, values=values))
 
     def sweep(
-        self, *, f: Numbers, x_0: Number | None = None, v_0: Number = 0.0, **at: Unpack[Amplitude[Number]]
+        self, *, f: Numbers, x_0: Number | None = None, v_0: Number = 0.0, **at: Unpack[At]
     ) -> answers.AtOne[exact.Sweep]:
         """Follow a stepped-sine test: .f in Hz, .A in m, .stops, .settled, and .jumps in Hz, shape (k, 2).
 
@@ -507,20 +508,16 @@ class Physical(TakesAmplitude):
             "answers.Random[RandomResponse]", dataclasses.replace(self.scales, excitation=excitation).quantities(found)
         )
 
-    def margins(
-        self, amplitude: Number | None = None, /, **at: Unpack[Amplitude[Number]]
-    ) -> answers.One[checks.Margins]:
+    def margins(self, amplitude: Number | None = None, /, **at: Unpack[At]) -> answers.One[checks.Margins]:
         """Compare F in N (or Y, a, U) with F_SN and F_cr: .of_SN = F_SN/F and .of_cr = F_cr/F, < 1 if exceeded."""
         return self._answer("margins", amplitude, at)
 
-    def hysteresis(
-        self, amplitude: Number | None = None, /, **at: Unpack[Amplitude[Number]]
-    ) -> answers.AtOne[checks.Hysteresis]:
+    def hysteresis(self, amplitude: Number | None = None, /, **at: Unpack[At]) -> answers.AtOne[checks.Hysteresis]:
         """Find bands with several stable motions at F in N (or Y, a, U): .f_low and .f_high in Hz, .motions."""
         return self._answer("hysteresis", amplitude, at)
 
     def isolation(
-        self, amplitude: Number | None = None, /, level_dB: float = 0.0, **at: Unpack[Amplitude[Number]]
+        self, amplitude: Number | None = None, /, level_dB: float = 0.0, **at: Unpack[At]
     ) -> answers.One[checks.Isolation]:
         """Find the frequency above which every stable motion transmits less than a level: .f in Hz, .A in m.
 
@@ -588,7 +585,7 @@ class Physical(TakesAmplitude):
         pictures.legend(ax, pictures.axis(found[0][0], letter))
         return ax
 
-    def explain(self, question: str, amplitude: Number | None = None, /, **at: Unpack[Amplitude[Number]]) -> Plan:
+    def explain(self, question: str, amplitude: Number | None = None, /, **at: Unpack[At]) -> Plan:
         """List the steps of a question: which run, which are skipped, and why.
 
         Parameters

@@ -41,6 +41,9 @@ if TYPE_CHECKING:
     from slowflow.second.many import SecondDesigns
 
     # the questions as a type checker knows them, by their arguments: `_method` makes them of the table
+    #: the amplitude of the excitation, by its letter
+    At = Amplitude[Numbers]
+
     class OfMounts(Protocol[Found]):
         def __call__(self, *, workers: int = 1) -> Found: ...
 
@@ -48,19 +51,11 @@ if TYPE_CHECKING:
         def __call__(self, *, max_count: int = ..., workers: int = 1) -> Found: ...
 
     class AtAmplitudes(Protocol[Found]):
-        def __call__(
-            self, amplitude: Numbers | None = None, /, *, workers: int = 1, **at: Unpack[Amplitude[Numbers]]
-        ) -> Found: ...
+        def __call__(self, amplitude: Numbers | None = None, /, *, workers: int = 1, **at: Unpack[At]) -> Found: ...
 
     class SeveralAtAmplitudes(Protocol[Found]):
         def __call__(
-            self,
-            amplitude: Numbers | None = None,
-            /,
-            *,
-            max_count: int = ...,
-            workers: int = 1,
-            **at: Unpack[Amplitude[Numbers]],
+            self, amplitude: Numbers | None = None, /, *, max_count: int = ..., workers: int = 1, **at: Unpack[At]
         ) -> Found: ...
 
     class Levels(Protocol[Found]):
@@ -71,18 +66,12 @@ if TYPE_CHECKING:
             *,
             level_dB: Numbers | None = None,
             workers: int = 1,
-            **at: Unpack[Amplitude[Numbers]],
+            **at: Unpack[At],
         ) -> Found: ...
 
     class Proofs(Protocol[Found]):
         def __call__(
-            self,
-            amplitude: Numbers | None = None,
-            /,
-            *,
-            f: Numbers | None = None,
-            workers: int = 1,
-            **at: Unpack[Amplitude[Numbers]],
+            self, amplitude: Numbers | None = None, /, *, f: Numbers | None = None, workers: int = 1, **at: Unpack[At]
         ) -> Found: ...
 
     class Curves(Protocol[Found]):
@@ -95,16 +84,14 @@ if TYPE_CHECKING:
             samples: int = 1000,
             max_count: int = 6,
             workers: int = 1,
-            **at: Unpack[Amplitude[Numbers]],
+            **at: Unpack[At],
         ) -> Found: ...
 
     class AtTones(Protocol[Found]):
-        def __call__(self, *, f: Numbers, workers: int = 1, **at: Unpack[Amplitude[Numbers]]) -> Found: ...
+        def __call__(self, *, f: Numbers, workers: int = 1, **at: Unpack[At]) -> Found: ...
 
     class SeveralAtTones(Protocol[Found]):
-        def __call__(
-            self, *, f: Numbers, max_count: int = ..., workers: int = 1, **at: Unpack[Amplitude[Numbers]]
-        ) -> Found: ...
+        def __call__(self, *, f: Numbers, max_count: int = ..., workers: int = 1, **at: Unpack[At]) -> Found: ...
 
     class Records(Protocol[Found]):
         def __call__(

@@ -25,20 +25,9 @@ from slowflow.averaged.questions import Averaged
 from slowflow.core import validate
 from slowflow.core.backend import SOLVER
 from slowflow.core.mechanism import Floats, Reals
-from slowflow.second.questions import SecondApproximation
+from slowflow.second.questions import UNANSWERED, SecondApproximation
 from slowflow_kernels import motion
 from slowflow_kernels.conventions import Status
-
-#: why a question about designs has no answer here, where it has one of averaging
-UNANSWERED = {
-    "certify": "the second approximation has no proofs",
-    **dict.fromkeys(("margins", "hysteresis", "isolation", "spectrum"), "it combines averaged answers"),
-    **dict.fromkeys(
-        ("at_rest", "transient", "shock_spectrum", "random"),
-        "it does not depend on the approximation: call it on the designs",
-    ),
-    "rest": "only designs under a load have it",
-}
 
 
 class SecondBatch(Batch):
@@ -117,8 +106,10 @@ class SecondDesigns(ManyQuestions[SecondBatch, Reals]):
         self.first._insert_states_at_rest(Omega, F_0, pairs, count, status)
 
 
-for _name, _why in UNANSWERED.items():
-    setattr(SecondDesigns, _name, Unanswered(f"the second approximation of many designs has no {_name}: {_why}"))
+for _name, _row in QUESTIONS.items():
+    if SECOND not in _row.columns:
+        _why = f"the second approximation of many designs has no {_name}: {UNANSWERED[_name]}"
+        setattr(SecondDesigns, _name, Unanswered(_why))
 
 
 def _second(question: str) -> Callable[..., Any]:

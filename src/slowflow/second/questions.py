@@ -60,7 +60,7 @@ SECOND = {
     "saddle_node_onset": "the cusp is followed",
     "detachment": text("the lowest forcing whose largest displacement is {u_cr}"),
 }
-#: why a question of averaging's is none of the second approximation's
+#: why a question of an oscillator, or of many designs, is none of the second approximation's
 UNANSWERED = {
     **dict.fromkeys(
         ("fold_locus", "cusps", "isola_points"),
@@ -72,8 +72,8 @@ UNANSWERED = {
     ),
     **dict.fromkeys(("margins", "hysteresis", "isolation", "spectrum"), "it combines averaged answers"),
     **dict.fromkeys(
-        ("steady_state", "exact_response", "sweep", "transient", "shock_spectrum"),
-        "it solves the equation of motion: call it on the oscillator",
+        ("at_rest", "steady_state", "exact_response", "sweep", "transient", "shock_spectrum", "random"),
+        "it does not depend on the approximation: call it on the oscillator, or on the designs",
     ),
     **dict.fromkeys(("rest", "off_centre"), "its motions are about the centre"),
     "validity": "measured errors are in the .message of its answers",
