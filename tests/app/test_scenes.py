@@ -233,6 +233,12 @@ def test_columns_of_a_scene_are_those_of_a_file(scene, tmp_path):
         scenes.read(scene(head + "[psd]\nfile = 3\n"))
 
 
+def test_tables_say_what_motions_are_relative_to(capsys):
+    for name, stated in (("shaking_floor", True), ("specification", True), ("mount", False), ("machine", False)):
+        _, out, _ = run("run", ROOT / "scenes" / f"{name}.toml", capsys=capsys)
+        assert ("# displacements are relative to the base; transmissibility and acceleration" in out) == stated
+
+
 def test_a_base_is_given_by_its_acceleration_in_a_scene(scene):
     text = (ROOT / "scenes" / "shaking_floor.toml").read_text()
     text = text.replace("Y = [0.001, 0.004]", 'a = ["0.5 m/s^2", 1.0]').replace(

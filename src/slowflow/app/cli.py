@@ -104,6 +104,8 @@ def run_scene(args: argparse.Namespace) -> int:
     if args.out is None and not args.json:
         if outcome is not None:
             print(f"# {verdict.in_words(outcome)}", *in_text(outcome), "", sep="\n")
+        if scene.frame:
+            print(f"# {scene.frame}", "", sep="\n")
         for query, answer in answers:
             print(f"# {query}", *in_text(answer), "", sep="\n")
     if args.out is not None:

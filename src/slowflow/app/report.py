@@ -303,6 +303,8 @@ class Report:
         """What was asked at each force, and the forces from which on it jumps and its springs detach."""
         what, of_force = EXCITATION[self.excitation], self.plain.excitation == "force"
         left_out: list[str] = []
+        if self.scene.frame:
+            yield f"<p>{page.inline(self.scene.frame.capitalize())}.</p>"
         yield _table(f"Lowest {what} with jumps", self._shown("saddle_node_onset"))
         yield _table(f"Lowest {what} that detaches the springs", self._shown("detachment"))
         for question, caption in AT_EACH.items():

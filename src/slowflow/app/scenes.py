@@ -69,7 +69,7 @@ from pathlib import Path
 from typing import Any
 
 from slowflow.answers.answer import Answer, shown
-from slowflow.answers.quantities import DENSITIES, EXCITED, LETTERS, SHOWN, SI, UNITS, si
+from slowflow.answers.quantities import DENSITIES, EXCITED, LETTERS, OF_A_BASE, SHOWN, SI, UNITS, si
 from slowflow.answers.table import COLUMNS, SHOCKS
 from slowflow.answers.table import QUESTIONS as ROWS
 from slowflow.app import costs
@@ -154,6 +154,8 @@ FREQUENCIES = ("f", "Omega")
 OF_FILES = ("spectrum", "shock", "psd", "loop")
 #: columns of a measured loop, of which the times may be left out
 OF_A_LOOP = ("x", "F", "t")
+#: of a base that moves, in reports and above the tables of answers
+RELATIVE = "displacements are relative to the base; transmissibility and acceleration are those of the absolute motion"
 #: what a half sine of the base is given by
 OF_A_PULSE = ("acceleration", "duration")
 
@@ -250,6 +252,12 @@ class Scene:
     free: Mapping[str, tuple[float, float]] = field(default_factory=dict)
     loop: Mapping[str, list[float]] = field(default_factory=dict)
     answers: dict[Any, Any] = field(default_factory=dict, compare=False, repr=False)
+
+    @property
+    def frame(self) -> str:
+        """What motions are relative to; empty where nothing but the mass moves."""
+        of = self.oscillator.scales if isinstance(self.oscillator, Physical) else self.oscillator
+        return RELATIVE if of.excitation in OF_A_BASE else ""
 
     def answer(self, query: Query) -> Answer:
         """The answer to one of its questions, for a mount in N, mm and Hz; computed on first use."""

@@ -88,6 +88,7 @@ def kind_of(amount: str) -> str:
 def verdict(scene: Any) -> Verdict:
     """Of a scene, by the answers to its questions and others; where it asks for tolerances of its products too."""
     found = _of_design(scene)
+    found = replace(found, message=joined(found.message, *_of_motion(scene)))
     if not (queries := scene.of("tolerances")):
         return found
     if "products" not in scene.answers:
@@ -129,16 +130,38 @@ def _of_design(scene: Any) -> Verdict:
 def _cases(scene: Any, one: Requirement) -> Iterator[tuple[str, Any]]:
     """The load cases of a requirement, and what gives limit, value, unit, margin, whether it is met, a message."""
     mount = isinstance(scene.oscillator, Physical)
-    scales = scene.oscillator.scales if mount else None
-    letter, forcing = (scales.symbol("F_0"), scales.amplitude) if scales else ("F_0", "")
-    for F in scene.given_forcings if one.name not in AMOUNTS or "peak" in one.options["under"] else ():
-        unit, size = in_shown(SI.get(forcing, ""))
-        case = f"{letter} = {F / size:.4g} {unit}".rstrip()
-        yield case, lambda F=F: _at_forcing(scene, one, {letter: F}, forcing, mount)
+    for case, at in _forcings(scene) if one.name not in AMOUNTS or "peak" in one.options["under"] else ():
+        yield case, lambda at=at: _at_forcing(scene, one, at, mount)
     for query in scene.cases if one.name in AMOUNTS else ():
         under = "random" if query.question == "random" else "shock"
         if under in one.options["under"]:
             yield str(query), lambda query=query, under=under: _under(scene, one, query, under, mount)
+
+
+def _forcings(scene: Any) -> Iterator[tuple[str, dict[str, float]]]:
+    """Those of [ask], as text and as arguments."""
+    scales = scene.oscillator.scales if isinstance(scene.oscillator, Physical) else None
+    letter, (unit, size) = scales.symbol("F_0") if scales else "F_0", in_shown(SI[scales.amplitude] if scales else "")
+    for F in scene.given_forcings:
+        yield f"{letter} = {F / size:.4g} {unit}".rstrip(), {letter: F}
+
+
+def _of_motion(scene: Any) -> Iterator[str]:
+    """From which frequency on the motion itself meets a required transmissibility, by first harmonic and by peak."""
+    mount = isinstance(scene.oscillator, Physical)
+    for one in scene.requirements:
+        for case, at in _forcings(scene) if one.name == TRANSMISSIBILITY else ():
+            where = f"{one.name}, {case}: by the equation of motion"
+            unit = " Hz" if mount else ""
+            try:
+                isolation = scene.ask("isolation", **at, level_dB=one.below)
+                first, peak = (_column(isolation.measure(of=by), "Omega", mount) for by in ("first", "peak"))
+            except SlowflowError as error:
+                yield f"{where}: {error}"
+                continue
+            if None not in (first, peak):
+                by_harmonic = f"from {first:.4g}{unit} on by its first harmonic"
+                yield f"{where} below {one.below:g} dB {by_harmonic}, from {peak:.4g}{unit} on by its peak"
 
 
 def _column(found: Any, name: str, mount: bool) -> Any:
@@ -146,10 +169,11 @@ def _column(found: Any, name: str, mount: bool) -> Any:
     return getattr(found, (COLUMNS[name].si or name) if mount else name)
 
 
-def _at_forcing(scene: Any, one: Requirement, at: dict[str, float], forcing: str, mount: bool) -> tuple[Any, ...]:
+def _at_forcing(scene: Any, one: Requirement, at: dict[str, float], mount: bool) -> tuple[Any, ...]:
     (F,) = at.values()
     if one.name in NONE:
-        found, (unit, size) = scene.ask("margins", **at), in_shown(SI.get(forcing, ""))
+        amplitude = SI[scene.oscillator.scales.amplitude] if mount else ""
+        found, (unit, size) = scene.ask("margins", **at), in_shown(amplitude)
         ratio, met = (found.of_SN, found.folds == 0) if one.name == "jumps" else (found.of_cr, not found.detaches)
         ratio = math.inf if ratio is None else ratio
         return ratio * F / size, F / size, unit, ratio, bool(met), str(found.message)
