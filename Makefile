@@ -5,7 +5,7 @@
 # make corpus     compare some 150,000 answers with their record, a few minutes; `python -m tests.corpus --record` writes it
 # make derive     write generated/ anew and build what is compiled from it
 # make check      compare generated/ with fresh derivations
-# make lint       ruff, mypy, basedpyright, numpydoc
+# make lint       ruff, mypy, basedpyright, numpydoc, clang-format
 # make figures    every figure of the paper, into output/
 # make bench      the benchmarks, docs/benchmarks.md; last other tools on the same problem, each installed into an environment
 #                 of its own under .venv-peers; one that does not install keeps what was last measured of it
@@ -32,7 +32,8 @@ DERIVED := build/derived
 NUMPYDOC := $(addprefix src/slowflow/,oscillators/physical.py oscillators/oscillator.py answers/table.py answers/results.py answers/questions.py averaged/composed.py \
             averaged/questions.py derive.py languages.py oscillators/isolator.py sizing/tolerances.py sizing/fitting.py sizing/loops.py \
             sizing/requirements.py)
-NATIVE := $(wildcard src/slowflow/native/*.[ch] src/slowflow/native/*/*.[ch] generated/c/*.h generated/native/*.[ch])
+SOLVERS := $(wildcard src/slowflow/native/*.[ch] src/slowflow/native/*/*.[ch])
+NATIVE := $(SOLVERS) $(wildcard generated/c/*.h generated/native/*.[ch])
 PYTEST := $(BIN)/python -m pytest -n auto --dist worksteal
 
 .PHONY: paper figures test tests test-fast test-all every-test mutate derive $(DERIVED) check lint corpus bench validity stress explorer docs links dist clean
@@ -86,6 +87,7 @@ lint: $(DEVELOPED)
 	$(BIN)/mypy
 	$(BIN)/basedpyright --project pyproject.toml
 	$(BIN)/python -m numpydoc lint $(NUMPYDOC)
+	$(BIN)/clang-format --dry-run -Werror $(SOLVERS) $(wildcard explorer/*.[ch] tests/native/*.c)
 
 corpus: $(DEVELOPED)
 	$(BIN)/python -m tests.corpus

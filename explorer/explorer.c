@@ -46,8 +46,7 @@ const char *EXPORT(name_of)(int i) { return names[i]; }
 
 /* in: the design, then mu and zeta; whether a base or an unbalance excites it. out[0]: breakpoints; returns their
  * number, or -1 for what is not allowed. */
-int EXPORT(choose)(int i, int by_inertia)
-{
+int EXPORT(choose)(int i, int by_inertia) {
     const sf_mechanism *record = &excited;
     excited = **mechanisms[i];
     const double *of_damping = in + record->design_size;
@@ -64,8 +63,7 @@ int EXPORT(choose)(int i, int by_inertia)
 }
 
 /* out[0]: the u at which the force passes from one piece to the next, by rising u; returns their number. */
-int EXPORT(places)(int i)
-{
+int EXPORT(places)(int i) {
     if (places_of[i] != NULL) {
         out[0][0] = places_of[i](model.p);
         return 1;
@@ -80,14 +78,12 @@ double EXPORT(sticking)(void) { return model.m; }
 /* Largest amplitude that makes sense, or infinite. */
 double EXPORT(reach)(void) { return model.reach; }
 
-double EXPORT(stiffness_at_rest)(void)
-{
+double EXPORT(stiffness_at_rest)(void) {
     const sf_sample at = sf_sample_at(&model, 0);
     return -at.h_A;
 }
 
-static void add_what_follows(long i, double F_0)
-{
+static void add_what_follows(long i, double F_0) {
     const sf_sample at = sf_sample_at(&model, out[1][i]);
     out[2][i] = slow_flow_phase(out[0][i], out[1][i], model.m, model.zeta, at.h);
     const double force = sf_force(&model, F_0, out[0][i]);
@@ -96,8 +92,7 @@ static void add_what_follows(long i, double F_0)
 }
 
 /* As `slowflow.averaged.diagnostics.turns_beyond`. */
-static int turns_beyond(const sf_sample *at)
-{
+static int turns_beyond(const sf_sample *at) {
     const sf_sample rest = sf_sample_at(&model, 0);
     int passed = 0;
     while (passed < model.breaks && at->A > model.b[passed])
@@ -106,10 +101,9 @@ static int turns_beyond(const sf_sample *at)
            slopes[chosen](at->A, model.p, passed) < 0;
 }
 
-/* As `slowflow.averaged.diagnostics.keeps_centre`; whether the motion turns beyond the well; and whether it is stable. A
- * force with one end rises, so that its mean stiffness is positive and it has no well. */
-static void look_at(long i)
-{
+/* As `slowflow.averaged.diagnostics.keeps_centre`; whether the motion turns beyond the well; and whether it is stable.
+ * A force with one end rises, so that its mean stiffness is positive and it has no well. */
+static void look_at(long i) {
     if (rises) {
         flags[1][i] = 1, flags[2][i] = 0;
         return;
@@ -121,16 +115,14 @@ static void look_at(long i)
     flags[0][i] = flags[0][i] && flags[1][i] && !flags[2][i];
 }
 
-static void look_at_all(long n, double F_0)
-{
+static void look_at_all(long n, double F_0) {
     for (long i = 0; i < n; i++)
         add_what_follows(i, F_0), look_at(i);
 }
 
-/* The response curve: out Omega, A, phi, transmissibility, mean B; flags stable, centred, beyond the well. Returns the number,
- * or the status with its sign turned. */
-long EXPORT(respond)(double F_0, double low, double high, double samples)
-{
+/* The response curve: out Omega, A, phi, transmissibility, mean B; flags stable, centred, beyond the well. Returns the
+ * number, or the status with its sign turned. */
+long EXPORT(respond)(double F_0, double low, double high, double samples) {
     const sf_status status = sf_sticks(&model, F_0) ? SF_STICKS : sf_make_skeleton(&model, known, F_0, &room);
     if (status != SF_OK)
         return -(long)status;
@@ -145,8 +137,7 @@ long EXPORT(respond)(double F_0, double low, double high, double samples)
 }
 
 /* Steady states at a frequency: as `respond`. */
-int EXPORT(states)(double F_0, double Omega)
-{
+int EXPORT(states)(double F_0, double Omega) {
     int n;
     room.followed = 0;
     const sf_status status = sf_states(&model, known, F_0, &room, Omega, &n, out[1], flags[0], &undecided);
@@ -159,8 +150,7 @@ int EXPORT(states)(double F_0, double Omega)
 }
 
 /* out: Omega, A; flags: up, corner. */
-int EXPORT(folds)(double F_0)
-{
+int EXPORT(folds)(double F_0) {
     sf_folds *found = &room.work.folds;
     const sf_status status = sf_sticks(&model, F_0) ? SF_STICKS : sf_settled_folds(&model, known, F_0, &room, found);
     if (status != SF_OK)
@@ -175,8 +165,7 @@ int EXPORT(folds)(double F_0)
 
 /* out[0]: F_SN, Omega, A, its kind, and the lowest level at which the fold locus ends at Omega = 0; returns the
  * status. */
-int EXPORT(onset)(void)
-{
+int EXPORT(onset)(void) {
     sf_onset found;
     const sf_status status = sf_settled_onset(&model, exactly(), &room.work, &found);
     out[0][0] = found.F_SN, out[0][1] = found.Omega, out[0][2] = found.A;
@@ -189,8 +178,7 @@ int EXPORT(detachment)(void) { return sf_settled_detachment(&model, exactly(), o
 
 /* out[0]: A, Omega, and whether the well of the spring holds no peak; returns the status. As
  * `slowflow.averaged.questions.Averaged.peak`: of those that do not turn beyond the well. */
-int EXPORT(peak)(double F_0)
-{
+int EXPORT(peak)(double F_0) {
     double most = HUGE_VAL;
     out[0][2] = 0;
     while (!sf_sticks(&model, F_0)) {
@@ -207,8 +195,7 @@ int EXPORT(peak)(double F_0)
 }
 
 /* out: Omega, A, F_0 along the fold locus. */
-long EXPORT(locus)(double A_max, long samples)
-{
+long EXPORT(locus)(double A_max, long samples) {
     const sf_status status = sf_fold_locus(&model, A_max, 1, &room.work);
     if (status != SF_OK)
         return -(long)status;
@@ -221,8 +208,7 @@ long EXPORT(locus)(double A_max, long samples)
 
 /* Frequencies below `high` between which a steady state would be unstable, at n amplitudes up to A_max; out: A, then
  * the ends of each interval. Returns how many there are. */
-int EXPORT(unstable)(double A_max, double high, int n)
-{
+int EXPORT(unstable)(double A_max, double high, int n) {
     int found = 0;
     for (int i = 0; i < n; i++) {
         double w[5] = {0};
@@ -240,8 +226,7 @@ int EXPORT(unstable)(double A_max, double high, int n)
 }
 
 /* out: A, the backbone's Omega (NaN where there is none), at n amplitudes up to A_max. */
-void EXPORT(backbone)(double A_max, int n)
-{
+void EXPORT(backbone)(double A_max, int n) {
     for (int i = 0; i < n; i++) {
         const sf_sample at = sf_sample_at(&model, A_max * (i + 1) / n);
         out[0][i] = at.A, out[1][i] = slow_flow_backbone(at.A, at.h);
@@ -249,8 +234,7 @@ void EXPORT(backbone)(double A_max, int n)
 }
 
 /* out: Omega, the amplitude that no response exceeds; needs zeta > 0. */
-void EXPORT(envelope)(double F_0, double high, int n)
-{
+void EXPORT(envelope)(double F_0, double high, int n) {
     for (int i = 0; i < n; i++) {
         out[0][i] = high * (i + 1) / n;
         const double force = sf_force(&model, F_0, out[0][i]);
@@ -259,8 +243,7 @@ void EXPORT(envelope)(double F_0, double high, int n)
 }
 
 /* out: u, f(u), at n displacements from -u_max to u_max. */
-void EXPORT(force)(int mechanism, double u_max, int n)
-{
+void EXPORT(force)(int mechanism, double u_max, int n) {
     for (int i = 0; i < n; i++) {
         out[0][i] = u_max * (2.0 * i / (n - 1) - 1);
         out[1][i] = forces[mechanism](out[0][i], model.p);
@@ -273,10 +256,9 @@ int EXPORT(room_of_density)(void) { return MOST_POINTS; }
 double sf_explored_force(double u) { return forces[chosen](u, model.p); }
 
 /* Under white noise of a power, or the density in `spectrum`: see random.h. */
-int EXPORT(random)(double power, int points)
-{
+int EXPORT(random)(double power, int points) {
     double *const columns[4] = {out[0], out[1], out[2], out[3]};
     const double mu = in[excited.design_size];
-    return sf_explored_random(model.b, model.breaks, mu, model.zeta, power,
-                              (const double(*)[2])spectrum, points, MOST, columns);
+    return sf_explored_random(model.b, model.breaks, mu, model.zeta, power, (const double (*)[2])spectrum, points, MOST,
+                              columns);
 }

@@ -1,5 +1,5 @@
-/* Random vibration of the oscillator that explorer.c keeps. A source of its own: names of the integrator, by whose pieces
- * of a force Gaussian averages are taken, are those of averages over a cycle. */
+/* Random vibration of the oscillator that explorer.c keeps. A source of its own: names of the integrator, by whose
+ * pieces of a force Gaussian averages are taken, are those of averages over a cycle. */
 #include "taylor.h"
 #include "linearized.h"
 
@@ -7,15 +7,13 @@
 
 enum { MOST_BREAKS = 8, MOST_MOTIONS = 16, MOST_BANDS = 400 };
 
-static double value(const sf_law *self, const double *p, double u)
-{
+static double value(const sf_law *self, const double *p, double u) {
     (void)self, (void)p;
     return sf_explored_force(u);
 }
 
 int sf_explored_random(const double *b, int breaks, double mu, double zeta, double power, const double (*points)[2],
-                       int count, int room, double *const out[4])
-{
+                       int count, int room, double *const out[4]) {
     static union {
         sf_table table;
         char room[sizeof(sf_table) + MOST_BANDS * sizeof(sf_band)];

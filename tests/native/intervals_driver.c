@@ -3,8 +3,7 @@
 #include "exact_inputs.h"
 #include "records.h"
 
-static sf_interval elementary(int function, sf_interval a, sf_interval b)
-{
+static sf_interval elementary(int function, sf_interval a, sf_interval b) {
     switch (function) {
     case 0:
         return sfi_exp(a);
@@ -45,8 +44,7 @@ static sf_interval elementary(int function, sf_interval a, sf_interval b)
     }
 }
 
-static sf_interval one(int operation, sf_interval a, sf_interval b)
-{
+static sf_interval one(int operation, sf_interval a, sf_interval b) {
     switch (operation) {
     case 0:
         return sfi_add(a, b);
@@ -70,8 +68,7 @@ static sf_interval one(int operation, sf_interval a, sf_interval b)
 }
 
 /* n pairs of intervals in, n intervals out */
-void operate(int operation, long n, const double *in, double *out)
-{
+void operate(int operation, long n, const double *in, double *out) {
     for (long i = 0; i < n; i++) {
         const sf_interval r = one(operation, sfi_of(in[4 * i], in[4 * i + 1]), sfi_of(in[4 * i + 2], in[4 * i + 3]));
         out[2 * i] = r.lo, out[2 * i + 1] = r.hi;
@@ -80,8 +77,7 @@ void operate(int operation, long n, const double *in, double *out)
 
 /* h, h_A, h_AA, h_AAA and h - A h_A at an amplitude of a piece, given by how much it exceeds the piece's beginning, and
  * the amplitude; 0 where no proof is possible */
-int known(const char *name, const double *design, int piece, double beyond, double *out)
-{
+int known(const char *name, const double *design, int piece, double beyond, double *out) {
     for (unsigned k = 0; k < sizeof records / sizeof records[0]; k++) {
         sf_inputs inputs;
         sf_interval values[6];
@@ -96,8 +92,7 @@ int known(const char *name, const double *design, int piece, double beyond, doub
     return 0;
 }
 
-static sf_bounded on_bounded(int operation, sf_bounded a, sf_bounded b, sf_bounded c)
-{
+static sf_bounded on_bounded(int operation, sf_bounded a, sf_bounded b, sf_bounded c) {
     switch (operation) {
     case 0:
         return sfb_add(a, b);
@@ -123,12 +118,11 @@ static sf_bounded on_bounded(int operation, sf_bounded a, sf_bounded b, sf_bound
 }
 
 /* n times three pairs with what they may be off in, n such out, and the doubles around them */
-void operate_bounded(int operation, long n, const double *in, double *out)
-{
+void operate_bounded(int operation, long n, const double *in, double *out) {
     for (long i = 0; i < n; i++) {
         const double *x = in + 9 * i;
         const sf_bounded r = on_bounded(operation, sfb_of(sfp_of(x[0], x[1]), x[2]), sfb_of(sfp_of(x[3], x[4]), x[5]),
-                                  sfb_of(sfp_of(x[6], x[7]), x[8]));
+                                        sfb_of(sfp_of(x[6], x[7]), x[8]));
         const sf_interval around = sfb_interval(r);
         out[5 * i] = r.x.high, out[5 * i + 1] = r.x.low, out[5 * i + 2] = r.off;
         out[5 * i + 3] = around.lo, out[5 * i + 4] = around.hi;

@@ -2,8 +2,7 @@
 #include "exact_inputs.h"
 #include "records.h"
 
-static sf_pair one(int operation, sf_pair a, sf_pair b)
-{
+static sf_pair one(int operation, sf_pair a, sf_pair b) {
     switch (operation) {
     case 0:
         return sfp_add(a, b);
@@ -25,8 +24,7 @@ static sf_pair one(int operation, sf_pair a, sf_pair b)
 }
 
 /* n times two pairs in, n pairs out */
-void operate(int operation, long n, const double *in, double *out)
-{
+void operate(int operation, long n, const double *in, double *out) {
     for (long i = 0; i < n; i++) {
         const sf_pair r = one(operation, sfp_of(in[4 * i], in[4 * i + 1]), sfp_of(in[4 * i + 2], in[4 * i + 3]));
         out[2 * i] = r.high, out[2 * i + 1] = r.low;
@@ -34,8 +32,7 @@ void operate(int operation, long n, const double *in, double *out)
 }
 
 /* h, h_A, h_AA, h_AAA at an amplitude on a piece; 0 where there are no pairs */
-int known(const char *name, const double *design, int piece, double A, double *out)
-{
+int known(const char *name, const double *design, int piece, double A, double *out) {
     for (unsigned k = 0; k < sizeof records / sizeof records[0]; k++) {
         sf_exactly exactly;
         sf_pair values[4];

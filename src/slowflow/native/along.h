@@ -67,8 +67,8 @@ typedef struct {
 
 static inline sf_task sf_task_of(sf_question question, const sf_model *model, double F_0) {
     sf_task task;
-    task.question = question, task.model = model, task.F_0 = F_0, task.Omega = 0, task.most = NULL,
-    task.first = NULL, task.highest = task.pushes = 0;
+    task.question = question, task.model = model, task.F_0 = F_0, task.Omega = 0, task.most = NULL, task.first = NULL,
+    task.highest = task.pushes = 0;
     task.least = question == SF_FOLD_AT ? slow_flow_least_restoring(F_0, model->m) : 0;
     task.terms.m = sfi_point(model->m), task.terms.zeta = sfi_point(model->zeta);
     task.terms.F_0 = sfi_point(F_0), task.terms.least = sfi_point(task.least);
@@ -99,8 +99,7 @@ static inline void sf_ask_stiffness(const sf_task *task, const sf_sample *at, sf
 /* Omega where a fold at F_0 may be, from I or from R, y being what the two lack of agreeing: the one that rounding
  * moves less. I exceeds m by little if damping is weak, and |k| the least if Omega is low. */
 static inline double sf_fold_Omega(const sf_task *task, const sf_sample *at, double Omega, double y) {
-    const double lag = slow_flow_I(Omega, at->A, 0, task->model->zeta),
-                 square = slow_flow_fold_square(Omega, at->A, y);
+    const double lag = slow_flow_I(Omega, at->A, 0, task->model->zeta), square = slow_flow_fold_square(Omega, at->A, y);
     const double least = task->least / at->k;
     const double of_I = (lag + task->model->m) / (lag * (1 - least) * (1 + least));
     const double of_R = (2 * fabs(at->h) + at->A * square) / (at->A * square);
@@ -198,8 +197,7 @@ static inline void sf_ask_cusp(const sf_model *model, int open, const sf_sample 
             double nearly[2], fold[2];
             slow_flow_cusp_balance(at->A, model->m, model->zeta, at->h, at->k, X, T, nearly);
             slow_flow_cusp_balance(at->A, model->m, model->zeta, at->h, at->k, nearly[0], T, fold);
-            if (fold[0] > 0 && fold[1] > 0 &&
-                fabs(slow_flow_R(sqrt(nearly[0]), at->A, at->h)) < SF_SOFT * fabs(at->h))
+            if (fold[0] > 0 && fold[1] > 0 && fabs(slow_flow_R(sqrt(nearly[0]), at->A, at->h)) < SF_SOFT * fabs(at->h))
                 out->Omega[i] = sqrt(fold[0]), out->level[i] = sqrt(fold[1]);
         }
         if (X < SF_SOFT * fabs(q[2]))
@@ -306,8 +304,8 @@ static inline double sf_isola_Omega_by_inertia(const sf_model *model, const sf_s
     double w[3], Omega = 0, least = HUGE_VAL;
     const int n = sf_fold_roots(at->A, at->h, at->h_A, model->m, model->zeta, w);
     for (int i = 0; i < n; i++) {
-        const double lacks = fabs(inertia_level_slope(w[i], at->A, model->m, model->zeta, at->h) /
-                                  slow_flow_R(w[i], at->A, at->h));
+        const double lacks =
+            fabs(inertia_level_slope(w[i], at->A, model->m, model->zeta, at->h) / slow_flow_R(w[i], at->A, at->h));
         if (w[i] > 0 && lacks < least)
             least = lacks, Omega = w[i];
     }
@@ -423,8 +421,8 @@ static inline int sf_is_law_minimum(const sf_model *model, sf_question question,
     *saddle = 0;
     if (question == SF_CUSP)
         return (sf_inertial(model) ? dissipation_cusp_bend_by_inertia : dissipation_cusp_bend)(
-                   w, A, rest[0], rest[1], rest[2], rest[3], zeta[0], zeta[1], zeta[2], zeta[3], of.d, of.d_3,
-                   at->h, at->h_A, at->h_AA, at->h_AAA) > 0;
+                   w, A, rest[0], rest[1], rest[2], rest[3], zeta[0], zeta[1], zeta[2], zeta[3], of.d, of.d_3, at->h,
+                   at->h_A, at->h_AA, at->h_AAA) > 0;
     (sf_inertial(model) ? dissipation_isola_bend_by_inertia : dissipation_isola_bend)(
         w, A, rest[0], rest[1], rest[2], zeta[0], zeta[1], zeta[2], of.d, of.d_3, at->h, at->h_A, at->h_AA, bend);
     *saddle = bend[0] < 0;

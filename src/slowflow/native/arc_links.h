@@ -93,8 +93,7 @@ static void sf_count_intervals(const sf_model *model, double F_0, sf_graph *grap
 /* Arcs that end at an event, each with the Omega that it has there. */
 static void sf_end_all(const sf_model *model, double F_0, sf_graph *graph, const sf_sample *at, int interval, int end) {
     for (int i = 0; i < graph->count[interval]; i++)
-        sf_end(graph, graph->first[interval] + i, end, at->A,
-               sf_branch_at(model, at, F_0, graph->count[interval], i));
+        sf_end(graph, graph->first[interval] + i, end, at->A, sf_branch_at(model, at, F_0, graph->count[interval], i));
 }
 
 /* Which two of the roots meet at A, the lower pair or the upper, and where: as the event says, or, where it is none of

@@ -11,11 +11,11 @@
 enum { SF_MOST_EVENTS = 112, SF_MOST_ARCS = 3 * SF_MOST_EVENTS };
 
 typedef enum {
-    SF_THROUGH,   /* all arcs go on */
-    SF_CUT,       /* all arcs end: an end of the range, or a jump */
-    SF_PAIR_LOW,  /* the two lowest of the richer side meet at Omega */
-    SF_PAIR_HIGH, /* the two highest */
-    SF_TO_ZERO,   /* the lowest of the richer side ends at Omega = 0 */
+    SF_THROUGH,    /* all arcs go on */
+    SF_CUT,        /* all arcs end: an end of the range, or a jump */
+    SF_PAIR_LOW,   /* the two lowest of the richer side meet at Omega */
+    SF_PAIR_HIGH,  /* the two highest */
+    SF_TO_ZERO,    /* the lowest of the richer side ends at Omega = 0 */
     SF_TO_INFINITY /* the highest of the richer side ends at Omega = inf */
 } sf_event_kind;
 
@@ -111,8 +111,7 @@ static inline int sf_follow(const sf_graph *graph, int end, int *visited, int *s
     return n;
 }
 
-static inline double sf_first_Omega(const sf_graph *graph, int step)
-{
+static inline double sf_first_Omega(const sf_graph *graph, int step) {
     return graph->arc[step / 2].Omega[1 - step % 2];
 }
 static inline double sf_last_Omega(const sf_graph *graph, int step) { return graph->arc[step / 2].Omega[step % 2]; }

@@ -65,10 +65,10 @@ static sf_interval sf_resists_near(const sf_ended *here) {
  * where it has one next to the centre no motion is off it. */
 static int sf_is_single(const sf_ended *here) { return !sf_touches_centre(here) || sfi_has_sign(sf_stiffness(here)); }
 
-/* What the balance leaves of a box, low and high, and what is known on it, p and `resists`. Whether that may be some. */
-static int sf_on_balance(const sf_ended *here, const sf_ended *middle, double load, int centred, double *low, double *high,
-                         sf_interval *p, sf_interval *resists, sf_interval *rising)
-{
+/* What the balance leaves of a box, low and high, and what is known on it, p and `resists`. Whether that may be some.
+ */
+static int sf_on_balance(const sf_ended *here, const sf_ended *middle, double load, int centred, double *low,
+                         double *high, sf_interval *p, sf_interval *resists, sf_interval *rising) {
     const sf_interval f = sfi_sub(middle->c_0, sfi_point(load)), slopes[2] = {here->c_x, here->c_y};
     const sf_interval by[2] = {here->c_x, sfi_neg(here->c_y)}, turns[2] = {here->X, here->Y};
     sf_interval r[2], shift[2], nearer;
@@ -79,7 +79,8 @@ static int sf_on_balance(const sf_ended *here, const sf_ended *middle, double lo
     }
     some &= !sfi_has_sign(sfi_add(sfi_add(f, shift[0]), shift[1]));
     for (int i = 0; i < 2; i++) {
-        const sf_interval left = sfi_sub(sfi_point(0.5 * (low[i] + high[i])), sfi_div(sfi_add(f, shift[1 - i]), slopes[i]));
+        const sf_interval left =
+            sfi_sub(sfi_point(0.5 * (low[i] + high[i])), sfi_div(sfi_add(f, shift[1 - i]), slopes[i]));
         if (sfi_has_sign(slopes[i]))
             low[i] = fmax(low[i], left.lo), high[i] = fmin(high[i], left.hi);
         some &= !(low[i] > high[i]);
@@ -121,8 +122,7 @@ static int sf_may_be_state(const sf_damping *of, double Omega, double force, sf_
 
 /* What vanishes at a state, and its slopes by x and y. */
 static void sf_ended_state(const sf_ended *here, double Omega, double force, const sf_damping *of, double load,
-                           sf_interval *out)
-{
+                           sf_interval *out) {
     sf_interval I_, I_A;
     sf_balance_of_sine(of, Omega, here->A, &I_, &I_A);
     off_centre_intervals_ended_state(sfi_point(Omega), here->A, sfi_point(force), I_, I_A, sfi_point(load), here->c_0,
@@ -130,21 +130,22 @@ static void sf_ended_state(const sf_ended *here, double Omega, double force, con
 }
 
 /* What vanishes at a fold, its slopes by x, y and R, and between which R a fold is. */
-static void sf_ended_fold(const sf_ended *here, sf_interval R, double F_0, double F_2, const sf_damping *of, double load,
-                          int centred, sf_interval *out)
-{
-    const sf_interval above = sfi_add(R, sfi_times(2, here->s_0)), square = {fmax(above.lo, 0), above.hi <= 0 ? 0 : above.hi};
+static void sf_ended_fold(const sf_ended *here, sf_interval R, double F_0, double F_2, const sf_damping *of,
+                          double load, int centred, sf_interval *out) {
+    const sf_interval above = sfi_add(R, sfi_times(2, here->s_0));
+    const sf_interval square = {fmax(above.lo, 0), above.hi <= 0 ? 0 : above.hi};
     const sf_interval of_speed = sfi_mul(square, here->A), by_speed = sfi_times(of->d, of_speed), m = sfi_point(of->m);
     const sf_interval force = sfi_add(sfi_point(F_0), sfi_mul(sfi_point(F_2), sfi_div(square, here->A)));
-    const sf_interval I_ = sfi_add(sfi_add(sfi_add(sfi_times(of->eta, here->A), sfi_times(2 * of->zeta, sfi_sqrt(of_speed))),
-                                           by_speed), m);
+    const sf_interval I_ = sfi_add(
+        sfi_add(sfi_add(sfi_times(of->eta, here->A), sfi_times(2 * of->zeta, sfi_sqrt(of_speed))), by_speed), m);
     const int single = !centred || sf_is_single(here);
     sf_interval rising, resistance = sf_resists(here, &rising);
     if (!single)
         resistance = sf_resists_near(here);
-    off_centre_intervals_ended_fold(R, here->A, sfi_point(F_0), sfi_point(F_2), m, sfi_point(of->eta), sfi_point(of->zeta),
-                                    sfi_point(of->d), sfi_point(load), here->c_0, here->s_0, here->c_x, here->c_y,
-                                    here->c_xx, here->c_yy, here->X, here->Y, here->X_x, here->Y_y, out);
+    off_centre_intervals_ended_fold(R, here->A, sfi_point(F_0), sfi_point(F_2), m, sfi_point(of->eta),
+                                    sfi_point(of->zeta), sfi_point(of->d), sfi_point(load), here->c_0, here->s_0,
+                                    here->c_x, here->c_y, here->c_xx, here->c_yy, here->X, here->Y, here->X_x,
+                                    here->Y_y, out);
     if (centred && single && sf_touches_centre(here))
         out[0] = sfi_point(1);
     /* R (h - A h_A) = G^2 + I (A I_A - I), and R^2 = G^2 - I^2 */
@@ -156,12 +157,13 @@ static void sf_ended_fold(const sf_ended *here, sf_interval R, double F_0, doubl
 
 /* ==== Between which R folds are ================================================================================== */
 
-/* parts of the range of |y|, and how often what is left of it is cut into parts again: folds that are about to meet, next
- * to a cusp, leave no less than half of it each time, and their level has to be known better than an onset's gap */
+/* parts of the range of |y|, and how often what is left of it is cut into parts again: folds that are about to meet,
+ * next to a cusp, leave no less than half of it each time, and their level has to be known better than an onset's gap
+ */
 enum { SF_FOLD_PARTS = 8, SF_FOLD_ROUNDS = 10, SF_FOLD_HALVINGS = 60 };
 
-/* I I_A/A, with friction's share at another amplitude: I/A has half of the slope that quadratic damping gives to I, whose
- * share of I_A/A knows no amplitude. */
+/* I I_A/A, with friction's share at another amplitude: I/A has half of the slope that quadratic damping gives to I,
+ * whose share of I_A/A knows no amplitude. */
 static double sf_resistance(const sf_damping *of, double Omega, double A, double of_friction) {
     const double over = dissipation_I_A(Omega, A, of->eta, of->zeta, 0, 0.5 * of->d, 0);
     const double at_rest = dissipation_I_A(Omega, 0, of->eta, of->zeta, 0, 0, 0),
@@ -172,9 +174,8 @@ static double sf_resistance(const sf_damping *of, double Omega, double A, double
 static double sf_share_of(double far, double square) { return square > 0 ? far / square : HUGE_VAL; }
 
 /* Between which the square of the forcing is of folds with |y|, Omega^2 = x and Omega between ends. */
-static sf_interval sf_levels(const sf_damping *of, int inertial, double sign, sf_interval A, sf_interval p, const double *y,
-                             const double *x, const double *Omega)
-{
+static sf_interval sf_levels(const sf_damping *of, int inertial, double sign, sf_interval A, sf_interval p,
+                             const double *y, const double *x, const double *Omega) {
     double low = y[0], high = y[1], I_low = sf_sine(of, Omega[0], A.lo), I_high = sf_sine(of, Omega[1], A.hi);
     if (inertial) {
         /* of y/Omega^2 = y/(p + y) either way, and I/Omega^2, which falls with Omega */
@@ -206,13 +207,12 @@ static double sf_most_by_inertia(const sf_damping *of, sf_interval A, sf_interva
     return fmin(beyond, low > 0 ? F_0 / low : HUGE_VAL);
 }
 
-/* Whether there may be folds with R = A y, y = Omega^2 - p of that sign, at forcings between two; and between which |R| at
- * the highest. A fold has y (e - y) A = I I_A, with y of the sign of e.
+/* Whether there may be folds with R = A y, y = Omega^2 - p of that sign, at forcings between two; and between which |R|
+ * at the highest. A fold has y (e - y) A = I I_A, with y of the sign of e.
  *
  * e: NaN or infinite where it is not known */
-static int sf_folds_between(const sf_damping *of, int inertial, double sign, sf_interval A, sf_interval p, sf_interval e,
-                            double lowest, double highest, sf_interval *R)
-{
+static int sf_folds_between(const sf_damping *of, int inertial, double sign, sf_interval A, sf_interval p,
+                            sf_interval e, double lowest, double highest, sf_interval *R) {
     const double above = 1 + SF_BOUND_ERROR, below = 1 - SF_BOUND_ERROR;
     const double at_most = sqrt(sfi_most(highest * highest - of->m * of->m, 0));
     const sf_interval turned = sign > 0 ? e : sfi_neg(e);
@@ -230,7 +230,8 @@ static int sf_folds_between(const sf_damping *of, int inertial, double sign, sf_
         for (int k = 0; k < SF_FOLD_PARTS; k++) {
             const double y[2] = {(start + k * width / SF_FOLD_PARTS) * below,
                                  (start + (k + 1) * width / SF_FOLD_PARTS) * above};
-            const double x[2] = {fmax(sign > 0 ? p.lo + y[0] : p.lo - y[1], 0), fmax(sign > 0 ? p.hi + y[1] : p.hi - y[0], 0)};
+            const double x[2] = {fmax(sign > 0 ? p.lo + y[0] : p.lo - y[1], 0),
+                                 fmax(sign > 0 ? p.hi + y[1] : p.hi - y[0], 0)};
             const double Omega[2] = {sqrt(x[0]), sqrt(x[1])}, middle = fmin(fmax(0.5 * most_e, y[0]), y[1]);
             const double slowest = fmin(y[0] * (least_e - y[0]), y[1] * (least_e - y[1]));
             const sf_interval level = sf_levels(of, inertial, sign, A, p, y, x, Omega);

@@ -116,8 +116,7 @@ static inline void sf_of_contact(const sf_bent *of, int number, double start, sf
 /* h and h_AAAA on amplitudes of one piece of the force, which ends at these breakpoints; infinite or NaN where not
  * known. */
 static inline void sf_enclose(const sf_bent *of, const double *ends, sf_interval A, const double *inputs,
-                              sf_interval *out)
-{
+                              sf_interval *out) {
     sf_interval p[SF_MOST_PARAMETERS], known[SF_MOST_BENT] = {A};
     int passed = 0;
     while (passed < of->breakpoints && A.lo >= ends[passed])
@@ -135,5 +134,6 @@ static inline void sf_enclose(const sf_bent *of, const double *ends, sf_interval
     for (int i = 0; i < of->contacts; i++)
         if (of->begins[i] < passed)
             sf_of_contact(of, i, ends[of->begins[i]], A, p, sums + 2 + SF_CONTACT_SUMS * i);
-    sf_bent_at(of, of->breakpoints + 1 + of->contacts + passed, 3 + passed + SF_CONTACT_SUMS * of->contacts, known, p, out);
+    sf_bent_at(of, of->breakpoints + 1 + of->contacts + passed, 3 + passed + SF_CONTACT_SUMS * of->contacts, known, p,
+               out);
 }

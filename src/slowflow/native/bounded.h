@@ -25,12 +25,12 @@ typedef struct {
 #define SFB_EQUAL 0x1p-14
 enum { SFB_MOST_DUPLICATIONS = 600 };
 
-TWOFOLD_INLINE sf_bounded sfb_of(sf_pair x, double off) {
-    return (sf_bounded){x, off};
-}
+TWOFOLD_INLINE sf_bounded sfb_of(sf_pair x, double off) { return (sf_bounded){x, off}; }
 TWOFOLD_INLINE sf_bounded sfb_point(double x) { return sfb_of(sfp_point(x), 0); }
 /* of a constant that is no double: the pair next to it */
-TWOFOLD_INLINE sf_bounded sfb_around(double high, double low) { return sfb_of(sfp_of(high, low), SFB_ERROR * fabs(high)); }
+TWOFOLD_INLINE sf_bounded sfb_around(double high, double low) {
+    return sfb_of(sfp_of(high, low), SFB_ERROR * fabs(high));
+}
 TWOFOLD_INLINE double sfb_size(sf_bounded a) { return fabs(a.x.high) * SFB_UP; }
 TWOFOLD_INLINE sf_bounded sfb_neg(sf_bounded a) { return sfb_of(sfp_neg(a.x), a.off); }
 TWOFOLD_INLINE sf_bounded sfb_add(sf_bounded a, sf_bounded b) {

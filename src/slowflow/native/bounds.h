@@ -25,9 +25,7 @@ static double sf_least_forcing(const sf_model *model, const sf_sample *at, doubl
 }
 
 /* A damping ratio that no cycle of this amplitude or more has less than. */
-SF_FLAT static double sf_least_zeta(const sf_model *model, double A) {
-    return sf_law_terms_below(model, A).zeta[0];
-}
+SF_FLAT static double sf_least_zeta(const sf_model *model, double A) { return sf_law_terms_below(model, A).zeta[0]; }
 
 /* What |h| is at most at a state of an amplitude: the frequencies that damping leaves to it fall as the amplitude
  * rises. */
@@ -141,8 +139,8 @@ static int sf_is_far(const sf_model *model, double F_0, double A) {
     const sf_sample rest = sf_sample_at(model, 0);
     const sf_sample less = sf_sample_at(model, A / SF_STATIC_MULTIPLE);
     /* the slope at rest and what zeta^2 A is of |h|, as shares of |h|/A */
-    const double shares = at.h < 0 ? -fabs(rest.h_A) * A / at.h + inertia_share(A, sf_least_zeta(model, A), at.h)
-                                   : HUGE_VAL;
+    const double shares =
+        at.h < 0 ? -fabs(rest.h_A) * A / at.h + inertia_share(A, sf_least_zeta(model, A), at.h) : HUGE_VAL;
     return SF_STATIC_MULTIPLE * shares <= 1 && less.A > F_0 && sf_count_at(model, &less, F_0) == 2;
 }
 
@@ -212,8 +210,9 @@ static double sf_bound_of_laws(const sf_model *model, double F_0) {
  * up to it leave the range of doubles. */
 static sf_status sf_amplitude_bound(const sf_model *model, double F_0, double *A_max) {
     const int bent = model->mechanism->bent != NULL, inertial = sf_inertial(model), laws = sf_has_laws(model);
-    int (*const bounds)(const sf_model *, double, double) =
-        bent ? sf_bounds_bent : inertial ? sf_inertial_bounds : sf_bounds;
+    int (*const bounds)(const sf_model *, double, double) = bent       ? sf_bounds_bent
+                                                            : inertial ? sf_inertial_bounds
+                                                                       : sf_bounds;
     double A = F_0, step = 2, cut = model->reach, bound = sf_bound_of_laws(model, F_0);
     sf_status status = SF_OK;
     const int is_free = laws && sf_is_free(model) && model->eta == 0;

@@ -1,9 +1,9 @@
 /* All solutions of a few equations in boxes: none is missed, and each that is given is proved to be there, once. Takes
  * equations that give values and slopes on boxes and at points; returns points, and where doubles do not decide.
  *
- * A box is left only when some equation has no zero in it, when Krawczyk's operator maps a slightly larger one into itself
- * (it holds just one solution then) or out of it (none). Otherwise it is cut. What is left is smaller than SF_BOX_NARROWEST of its
- * place: it is undecided.
+ * A box is left only when some equation has no zero in it, when Krawczyk's operator maps a slightly larger one into
+ * itself (it holds just one solution then) or out of it (none). Otherwise it is cut. What is left is smaller than
+ * SF_BOX_NARROWEST of its place: it is undecided.
  */
 #pragma once
 
@@ -17,7 +17,8 @@ enum { SF_MOST_UNKNOWNS = 3, SF_BOX_STEPS = 12 };
 
 /* by how much of its half width a box is enlarged for the proof, so that a solution on an edge is inside of one */
 #define SF_BOX_AROUND 0.125
-/* a box is not cut further below this share of its place, and of 1; half the width below which it is not made narrower */
+/* a box is not cut further below this share of its place, and of 1; half the width below which it is not made narrower
+ */
 #define SF_BOX_NARROWEST 0x1p-42
 #define SF_BOX_THIN 0x1p-43
 /* what some operations on intervals are rounded by, as these ends are not moved one by one */
@@ -102,11 +103,10 @@ static int sf_eliminate(int d, double J[][SF_MOST_UNKNOWNS], int columns, double
     return 1;
 }
 
-/* x - Y f(x) + (1 - Y J)(X - x), Y the inverse of J in the middle of X: its centre and radius, infinite where there is no
- * Y; and what of the radius is due to how values are known. */
-static void sf_krawczyk(int d, const sf_box_place *place, const double *wide, const sf_values *of, double *centre, double *radius,
-                        double *floor_)
-{
+/* x - Y f(x) + (1 - Y J)(X - x), Y the inverse of J in the middle of X: its centre and radius, infinite where there is
+ * no Y; and what of the radius is due to how values are known. */
+static void sf_krawczyk(int d, const sf_box_place *place, const double *wide, const sf_values *of, double *centre,
+                        double *radius, double *floor_) {
     double J[SF_MOST_UNKNOWNS][SF_MOST_UNKNOWNS], lost[SF_MOST_UNKNOWNS][SF_MOST_UNKNOWNS];
     double Y[SF_MOST_UNKNOWNS][SF_MOST_UNKNOWNS] = {{0}};
     int j, known = 1;
@@ -167,7 +167,8 @@ static void sf_around(int d, const sf_box *box, sf_box_place *out) {
     int i;
     for (out->of = box->of, i = 0; i < d; i++) {
         const double around = SF_BOX_AROUND * 0.5 * (box->high[i] - box->low[i]) + box->error[i];
-        out->low[i] = fmax(box->low[i] - around, box->least[i]), out->high[i] = fmin(box->high[i] + around, box->most[i]);
+        out->low[i] = fmax(box->low[i] - around, box->least[i]);
+        out->high[i] = fmin(box->high[i] + around, box->most[i]);
         out->at[i] = 0.5 * (out->low[i] + out->high[i]);
     }
 }
@@ -175,10 +176,10 @@ static void sf_around(int d, const sf_box *box, sf_box_place *out) {
 enum { SF_BOX_EMPTY, SF_BOX_SOLVED, SF_BOX_NARROW, SF_BOX_CUT };
 
 /* What is known of a box: a solution, or the middle of a narrow one, in `out`; else its halves. */
-static int sf_judge(int d, const sf_box *box, const sf_box_place *place, const sf_values *of, sf_solution *out, sf_box *lower,
-                    sf_box *upper)
-{
-    double wide[SF_MOST_UNKNOWNS], centre[SF_MOST_UNKNOWNS] = {0}, radius[SF_MOST_UNKNOWNS], floor_[SF_MOST_UNKNOWNS], most = -1;
+static int sf_judge(int d, const sf_box *box, const sf_box_place *place, const sf_values *of, sf_solution *out,
+                    sf_box *lower, sf_box *upper) {
+    double wide[SF_MOST_UNKNOWNS], centre[SF_MOST_UNKNOWNS] = {0}, radius[SF_MOST_UNKNOWNS], floor_[SF_MOST_UNKNOWNS],
+                                   most = -1;
     sf_box left = *box;
     int none = 0, inside = 1, narrow = 1, across = 0;
     for (int i = 0; i < d; i++)
@@ -292,8 +293,8 @@ static int sf_is_around(int d, const sf_solution *found, const double *x, ptrdif
     return inside;
 }
 
-/* Solutions each once: one on the edge of two boxes was found in both, which hold just one each; and the undecided boxes
- * that do not lie where a solution is proved to be the only one. */
+/* Solutions each once: one on the edge of two boxes was found in both, which hold just one each; and the undecided
+ * boxes that do not lie where a solution is proved to be the only one. */
 static void sf_each_once(int d, sf_solutions *all) {
     ptrdiff_t kept = 0, open = 0, k, other;
     if (all->count > 1)
@@ -315,9 +316,10 @@ static void sf_each_once(int d, sf_solutions *all) {
     all->open = open;
 }
 
-/* All solutions in n boxes, of which no more than `most` are evaluated in all; takes over `boxes`, a list of malloc, and
- * leaves `out` to be freed. */
-static inline int sf_solve_boxes(const sf_box_equations *of, sf_box *boxes, ptrdiff_t n, ptrdiff_t most, sf_solutions *out) {
+/* All solutions in n boxes, of which no more than `most` are evaluated in all; takes over `boxes`, a list of malloc,
+ * and leaves `out` to be freed. */
+static inline int sf_solve_boxes(const sf_box_equations *of, sf_box *boxes, ptrdiff_t n, ptrdiff_t most,
+                                 sf_solutions *out) {
     const int d = of->unknowns;
     ptrdiff_t evaluated = 0, next;
     int state = SF_BOXES_SOLVED;
@@ -328,7 +330,8 @@ static inline int sf_solve_boxes(const sf_box_equations *of, sf_box *boxes, ptrd
         sf_values *values = malloc((size_t)n * sizeof *values);
         sf_solution *found = realloc(out->found, (size_t)(out->count + n) * sizeof *found);
         sf_solution *undecided = realloc(out->undecided, (size_t)(out->open + n) * sizeof *undecided);
-        out->found = found != NULL ? found : out->found, out->undecided = undecided != NULL ? undecided : out->undecided;
+        out->found = found != NULL ? found : out->found;
+        out->undecided = undecided != NULL ? undecided : out->undecided;
         next = 0, evaluated += n;
         if (!(halves && points && values && found && undecided))
             state = SF_BOXES_NO_ROOM;

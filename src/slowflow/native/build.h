@@ -13,8 +13,7 @@
 #endif
 
 /* builds: the targets that the loops were built for; chosen: the one that runs here */
-static int sf_add_build(PyObject *module, const char *builds, const char *chosen)
-{
+static int sf_add_build(PyObject *module, const char *builds, const char *chosen) {
 #ifdef SF_HERE
     if (!SF_HAS(SF_HERE)) {
         PyErr_SetString(PyExc_ImportError, "they were compiled for a processor of " SF_HERE);

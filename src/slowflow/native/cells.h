@@ -1,8 +1,8 @@
 /* Cells. Takes what is known at two amplitudes of one piece of the force; returns what h and its derivatives are on
  * all of the interval between.
  *
- * On each piece h_AAA is monotone: the derivation proves it (derivations/forces/monotone.py). So its values at the ends bound
- * it, and what is known of a slope bounds the function between two of its values. Of a force of which that is not
+ * On each piece h_AAA is monotone: the derivation proves it (derivations/forces/monotone.py). So its values at the ends
+ * bound it, and what is known of a slope bounds the function between two of its values. Of a force of which that is not
  * proved it is h_AAAA that is known. Where the force or its slope jumps, the
  * derivatives of h tend to infinity as A falls to the breakpoint: that is the sample at the beginning of a piece.
  *

@@ -112,8 +112,7 @@ static void sf_certify_corners(const sf_inputs *inputs, const sf_terms *terms, s
             sf_interval w;
             const int undecided = sf_take_root(&roots, i, &w);
             const int stable_above = sf_sign_of(sfi_mul(slow_flow_intervals_R(w, b, on.h), jump));
-            const int stable_below =
-                sf_sign_of(slow_flow_intervals_F_A(w, b, inputs->m, inputs->zeta, on.h, on.h_A));
+            const int stable_below = sf_sign_of(slow_flow_intervals_F_A(w, b, inputs->m, inputs->zeta, on.h, on.h_A));
             if (stable_above != 0 && stable_above == stable_below)
                 continue; /* no fold, however many roots there are */
             if (undecided || stable_above == 0 || stable_below == 0)
@@ -193,8 +192,7 @@ static sf_status sf_certify_folds(const sf_model *model, const sf_inputs *inputs
 
 /* Every state at (Omega, F_0), by rising A. */
 static sf_status sf_certify_states(const sf_model *model, const sf_inputs *inputs, double F_0, double Omega,
-                                   sf_room *room)
-{
+                                   sf_room *room) {
     sf_certificate *out = &room->found;
     sf_proving proving;
     const sf_status status = sf_begin_certificate(model, inputs, SF_STATE, F_0, room, &proving);
@@ -226,8 +224,7 @@ typedef struct {
 
 /* Enters a level that is a minimum along the fold locus if `sign` is positive, none if it is negative. */
 static void sf_enter(sf_candidates *list, sf_interval level, sf_interval Omega, sf_interval A, sf_onset_kind kind,
-                     int sign)
-{
+                     int sign) {
     if (sign == 0)
         list->undecided = sfi_least(list->undecided, level.lo);
     if (sign <= 0)
@@ -285,7 +282,9 @@ static void sf_enter_corners(const sf_inputs *inputs, const sf_terms *terms, int
                 other = sf_sign_of(slow_flow_intervals_F_OmegaOmega(w, b, zeta, on.h));
             }
             sf_enter(list, sf_level_on(terms, w, &on), w, b, SF_CORNER_KIND,
-                     undecided ? 0 : one < 0 || other < 0 ? -1 : one * other);
+                     undecided              ? 0
+                     : one < 0 || other < 0 ? -1
+                                            : one * other);
         }
     }
 }

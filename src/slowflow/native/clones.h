@@ -6,8 +6,8 @@
  *   SF_ALWAYS before one that is in place wherever it is called
  *   SF_INDEPENDENT  before the for of such a loop: gcc does not heed restrict on local pointers, and gives up on loops
  *                   that need more than ten checks of overlap
- *   SF_EACH   in place of the for of one over whole vectors of SF_WIDEST numbers: the code for what would be left over is
- *             as long as the loop itself, and loops are long
+ *   SF_EACH   in place of the for of one over whole vectors of SF_WIDEST numbers: code for a rest would be as long as
+ *             the loop itself, and loops are long
  *
  * The clones differ in speed only: no build contracts a*b + c, and fma() rounds once with and without the instruction.
  * "arch=x86-64-v3" asks for features (gcc 12); "arch=haswell" would ask for that very model of processor.
@@ -73,7 +73,9 @@
 /* numbers in a vector */
 enum { SF_WIDEST = 8 };
 #define SF_WHOLE(n) ((n) & ~(ptrdiff_t)(SF_WIDEST - 1))
-#define SF_EACH(i, n) SF_INDEPENDENT for (ptrdiff_t i = 0; i < SF_WHOLE(n); i++)
+#define SF_EACH(i, n)                                                                                                  \
+    SF_INDEPENDENT                                                                                                     \
+    for (ptrdiff_t i = 0; i < SF_WHOLE(n); i++)
 
 #if defined(__clang__)
 #define SF_COMPILER "clang " __VERSION__

@@ -74,10 +74,10 @@ static void sf_add_law_peaks(const sf_model *model, const sf_law_points *peaks, 
     }
 }
 
-/* What of the response to an excitation by inertia is next to Omega = inf: the amplitude that it tends to, and whether above
- * that there is one more frequency than below, not one less. There F over Omega^4 is x (c_1 + c_2 x) next to x = 0,
- * c_1 >= 0; for c_2 < 0 a pair meets at x = -c_1/(2 c_2), at an amplitude that is lower by c_1^2/|c_2| over F_0^2, or
- * less. Where that is next to nothing it may round to that amplitude: such a pair is none of the events. */
+/* What of the response to an excitation by inertia is next to Omega = inf: the amplitude that it tends to, and whether
+ * above that there is one more frequency than below, not one less. There F over Omega^4 is x (c_1 + c_2 x) next to x =
+ * 0, c_1 >= 0; for c_2 < 0 a pair meets at x = -c_1/(2 c_2), at an amplitude that is lower by c_1^2/|c_2| over F_0^2,
+ * or less. Where that is next to nothing it may round to that amplitude: such a pair is none of the events. */
 typedef struct {
     double A;
     int falls;
@@ -231,7 +231,7 @@ static void sf_add_segment(const sf_model *model, double F_0, sf_skeleton *out, 
 
 /* The segments of one step of a tour: its arc cut at its folds, in order along the curve. */
 static void sf_add_step(const sf_model *model, double F_0, const sf_arc *arc, int upward, int curve,
-                           const sf_folds *folds, const int *arc_of, int number, sf_skeleton *out) {
+                        const sf_folds *folds, const int *arc_of, int number, sf_skeleton *out) {
     sf_segment segment;
     double A = arc->A[1 - upward], Omega = arc->Omega[1 - upward];
     segment.index = arc->index, segment.count = arc->count, segment.curve = curve, segment.upward = upward;
@@ -294,7 +294,7 @@ static sf_status sf_make_skeleton(const sf_model *model, const sf_inputs *inputs
         for (int i = work->tour.start[c]; i < work->tour.start[c + 1]; i++) {
             const int arc = work->tour.step[i] / 2;
             sf_add_step(model, F_0, &work->response.arc[arc], work->tour.step[i] % 2, c, &work->folds, arc_of, arc,
-                           out);
+                        out);
         }
         out->closed[c] = work->tour.closed[c];
         out->start[c + 1] = out->segments;
@@ -365,9 +365,10 @@ static double sf_amplitude_on(const sf_model *model, double F_0, const sf_segmen
             lo = A;
         else
             hi = A;
-        slope = sf_has_laws(model)
-                    ? sf_law_Omega_A(model, &at, w)
-                    : (sf_inertial(model) ? inertia_Omega_A : slow_flow_Omega_A)(w, A, model->m, model->zeta, at.h, at.h_A);
+        slope =
+            sf_has_laws(model)
+                ? sf_law_Omega_A(model, &at, w)
+                : (sf_inertial(model) ? inertia_Omega_A : slow_flow_Omega_A)(w, A, model->m, model->zeta, at.h, at.h_A);
         double next = A - (w - Omega) / slope;
         const double shift = fabs(next - A);
         if (shift <= SF_AT_ROOT * A || !(lo < hi))
@@ -391,7 +392,7 @@ static int sf_holds(const sf_segment *segment, double Omega) {
 
 /* The part of a segment between two frequencies; 0 if there is none. */
 static int sf_clip(const sf_model *model, double F_0, const sf_segment *segment, double low, double high,
-                      sf_segment *out) {
+                   sf_segment *out) {
     *out = *segment;
     if (fmax(segment->Omega[0], segment->Omega[1]) <= low || fmin(segment->Omega[0], segment->Omega[1]) >= high)
         return 0;
@@ -413,8 +414,8 @@ static void sf_close_run(sf_skeleton *shown, int closed) {
 }
 
 /* One curve inside the window: a curve that leaves it is split there. */
-static void sf_show_curve(const sf_model *model, double F_0, const sf_skeleton *all, int curve, double low,
-                             double high, sf_skeleton *shown) {
+static void sf_show_curve(const sf_model *model, double F_0, const sf_skeleton *all, int curve, double low, double high,
+                          sf_skeleton *shown) {
     const int first = all->start[curve], n = all->start[curve + 1] - first;
     int shift = 0, whole = 1;
     sf_segment segment;
@@ -493,8 +494,8 @@ enum { SF_SHARES = 16 };
  * still. */
 static double sf_share_at(int k, int n) { return 0.5 - 0.5 * cos(3.14159265358979312 * k / n); }
 
-/* The same of all of them. Cosines of sums, from those of every sixteenth angle and of the first sixteen, take a fraction
- * of the time of one each. */
+/* The same of all of them. Cosines of sums, from those of every sixteenth angle and of the first sixteen, take a
+ * fraction of the time of one each. */
 static void sf_shares(int n, double *fraction) {
     const double step = 3.14159265358979312 / n;
     double cosine[SF_SHARES], sine[SF_SHARES];
@@ -539,8 +540,7 @@ static void sf_numbers_between(double low, double high, int n, double *x) {
 /* Omega at n amplitudes inside a segment: by blocks, and one at a time where these do not count the roots that there
  * are, for an excitation by inertia, or by other laws of damping. */
 static void sf_frequencies_along(const sf_model *model, double F_0, const sf_segment *segment, int n, const double *A,
-                                 double *Omega)
-{
+                                 double *Omega) {
     const int in_lanes = !sf_inertial(model) && !sf_has_laws(model);
     sf_quartics block;
     sf_jobs jobs;
@@ -583,8 +583,7 @@ static int sf_is_steep(const sf_segment *segment) {
  * frequencies.
  * Rounding takes none beyond its ends, between which Omega is monotone. */
 static void sf_points_inside(const sf_model *model, double F_0, const sf_segment *segment, int n, double *Omega,
-                             double *A)
-{
+                             double *A) {
     const double low = fmin(segment->Omega[0], segment->Omega[1]), high = fmax(segment->Omega[0], segment->Omega[1]);
     if (sf_is_steep(segment)) {
         sf_numbers_between(low, high, n, Omega);
@@ -615,8 +614,8 @@ static sf_points sf_points_in(double *room, long n) {
     return (sf_points){room, room + n, (long long *)(void *)(room + 2 * n), (unsigned char *)(room + 3 * n)};
 }
 
-/* Points of all shown segments in order, but for those at rest, at which the response to an excitation by inertia begins;
- * returns how many are left. */
+/* Points of all shown segments in order, but for those at rest, at which the response to an excitation by inertia
+ * begins; returns how many are left. */
 static long sf_draw(const sf_model *model, double F_0, double samples, const sf_skeleton *shown, const sf_points *out) {
     double *const Omega = out->Omega, *const A = out->A;
     sf_sharing sharing;

@@ -8,8 +8,8 @@
 /* rounds in which R and w narrow each other */
 enum { SF_NARROWINGS = 2 };
 
-/* What is known on a cell: over: h/A; rest: I_0 and derivatives; zeta: the damping ratio of a cycle and its derivatives;
- * level: I_0 - A I_0A */
+/* What is known on a cell: over: h/A; rest: I_0 and derivatives; zeta: the damping ratio of a cycle and its
+ * derivatives; level: I_0 - A I_0A */
 typedef struct {
     sf_cell cell;
     sf_interval over, rest[4], zeta[4], level;
@@ -72,7 +72,8 @@ static void sf_balances_at(const sf_law_search *search, const sf_strip *strip, s
         const sf_interval square = sfi_square(w);
         out->R = sfi_add(sfi_mul(cell->A, square), cell->h), out->R_A = sfi_add(square, cell->h_A);
         out->I = dissipation_intervals_I(w, cell->A, strip->rest[0], strip->zeta[0], laws->d, laws->d_3);
-        out->I_A = dissipation_intervals_I_A(w, cell->A, strip->rest[1], strip->zeta[0], strip->zeta[1], laws->d, laws->d_3);
+        out->I_A =
+            dissipation_intervals_I_A(w, cell->A, strip->rest[1], strip->zeta[0], strip->zeta[1], laws->d, laws->d_3);
     }
 }
 
@@ -97,7 +98,8 @@ static inline int sf_is_stationary(const sf_law_search *search) {
     return search->system == SF_LAW_PEAKS || search->system == SF_LAW_ISOLAS;
 }
 
-/* Damping takes no more than the force: I <= F_0. Over Omega^2 I has I_0 where it has d else, and d where it has I_0. */
+/* Damping takes no more than the force: I <= F_0. Over Omega^2 I has I_0 where it has d else, and d where it has I_0.
+ */
 static void sf_limit_by_damping(const sf_law_search *search, const sf_strip *strip, sf_interval *w) {
     const sf_laws_within *laws = &search->laws;
     const sf_interval A = strip->cell.A;
@@ -105,20 +107,20 @@ static void sf_limit_by_damping(const sf_law_search *search, const sf_strip *str
     if (!(search->F_0 < HUGE_VAL))
         return;
     if (search->far)
-        most = dissipation_intervals_velocity(search->force, sfi_mul(laws->d, sfi_square(A)), sfi_mul(strip->zeta[0], A),
-                                              strip->rest[0]);
+        most = dissipation_intervals_velocity(search->force, sfi_mul(laws->d, sfi_square(A)),
+                                              sfi_mul(strip->zeta[0], A), strip->rest[0]);
     else if (A.lo > 0)
         most = sfi_div(dissipation_intervals_velocity(search->force, strip->rest[0], strip->zeta[0], laws->d), A);
     w->hi = sfi_least(w->hi, sfi_most(most.hi, 0));
 }
 
-/* And no less than R leaves: next to A = 0, where an excitation by inertia has R and F_0 Omega^2 to tell peaks from what
- * vanishes with A and 1/Omega. */
+/* And no less than R leaves: next to A = 0, where an excitation by inertia has R and F_0 Omega^2 to tell peaks from
+ * what vanishes with A and 1/Omega. */
 static void sf_limit_from_below(const sf_law_search *search, const sf_strip *strip, sf_interval R, sf_interval *w) {
     const sf_laws_within *laws = &search->laws;
     const sf_interval A = strip->cell.A, I = dissipation_intervals_R_of_response(search->force, R);
-    const sf_interval least = dissipation_intervals_velocity(I, sfi_mul(laws->d, sfi_square(A)), sfi_mul(strip->zeta[0], A),
-                                                             strip->rest[0]);
+    const sf_interval least =
+        dissipation_intervals_velocity(I, sfi_mul(laws->d, sfi_square(A)), sfi_mul(strip->zeta[0], A), strip->rest[0]);
     if (least.lo > w->lo)
         w->lo = least.lo;
 }
@@ -137,8 +139,9 @@ static sf_interval sf_stationary_R(const sf_law_search *search, const sf_strip *
     const sf_interval A = strip->cell.A;
     sf_interval found[3];
     if (!search->far) /* by I, or as I may vanish with Omega by its parts */
-        return sfi_both(sfi_both(of->R, dissipation_intervals_R_of_peak(of->w, A, strip->zeta[0], laws->d, laws->d_3, I)),
-                        dissipation_intervals_R_of_peak_by_rest(of->w, A, strip->rest[0], strip->zeta[0], laws->d, laws->d_3));
+        return sfi_both(
+            sfi_both(of->R, dissipation_intervals_R_of_peak(of->w, A, strip->zeta[0], laws->d, laws->d_3, I)),
+            dissipation_intervals_R_of_peak_by_rest(of->w, A, strip->rest[0], strip->zeta[0], laws->d, laws->d_3));
     dissipation_intervals_R_where_stationary(of->w, A, strip->rest[0], strip->zeta[0], laws->d, found);
     if (found[0].hi < 0)
         return sfi_of(1, -1);
@@ -207,9 +210,9 @@ static int sf_narrow_unknowns(const sf_law_search *search, const sf_strip *strip
             if (forced) {
                 const sf_interval level =
                     search->far ? dissipation_intervals_sine_intercept_far(of->w, cell->A, strip->level, strip->zeta[1],
-                                                                             search->laws.d)
+                                                                           search->laws.d)
                                 : dissipation_intervals_sine_intercept(of->w, cell->A, strip->level, strip->zeta[1],
-                                                                         search->laws.d, search->laws.d_3);
+                                                                       search->laws.d, search->laws.d_3);
                 /* k R + (I - A I_A) I = F_0^2 */
                 of->R = sfi_both(of->R, sf_ratio(sfi_sub(sfi_square(force), sfi_mul(level, at.I)), K));
             }
@@ -222,8 +225,7 @@ static int sf_narrow_unknowns(const sf_law_search *search, const sf_strip *strip
                                                              strip->zeta[2], search->laws.d, search->laws.d_3);
                 const sf_interval rest = sfi_add(sfi_add(sfi_square(at.R_A), sfi_square(at.I_A)), sfi_mul(at.I, bend));
                 /* next to a jump folds go to Omega = inf, where that is all that tells: no part of F_AA is negative */
-                if (rest.lo >= 0 &&
-                    ((of->R.lo > 0 && cell->h_AA.lo > 0) || (of->R.hi < 0 && cell->h_AA.hi < 0)))
+                if (rest.lo >= 0 && ((of->R.lo > 0 && cell->h_AA.lo > 0) || (of->R.hi < 0 && cell->h_AA.hi < 0)))
                     return 0;
                 of->R = sfi_both(of->R, sf_ratio(sfi_neg(rest), sfi_mul(cell->h_AA, scale)));
             }
@@ -243,8 +245,8 @@ static int sf_narrow_unknowns(const sf_law_search *search, const sf_strip *strip
                     const sf_interval ratio = dissipation_intervals_turn_share(
                         x, cell->A, strip->rest[0], strip->rest[1], strip->zeta[0], strip->zeta[1], laws->d);
                     excess = sfi_mul(ratio, square);
-                    dissipation_intervals_far(x, cell->A, strip->rest[0], strip->rest[1], strip->zeta[0], strip->zeta[1],
-                                              laws->d, cell->h, cell->h_A, far);
+                    dissipation_intervals_far(x, cell->A, strip->rest[0], strip->rest[1], strip->zeta[0],
+                                              strip->zeta[1], laws->d, cell->h, cell->h_A, far);
                     both = sfi_sub(sfi_mul(far[0], sfi_add(far[0], ratio)), sfi_mul(cell->A, sfi_mul(far[2], far[3])));
                 }
                 of->R = sfi_both(of->R, sfi_neg(sfi_add(sfi_mul(cell->A, at.R_A), excess)));

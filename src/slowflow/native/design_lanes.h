@@ -101,23 +101,20 @@ static inline void sf_fill_rows(double (*rows)[SF_LANE_CELLS], ptrdiff_t n) {
 }
 
 /* What a question of cells and brackets is to others, of the loops `judge` and `approach` of its file. */
-#define SF_DEFINE_QUESTION(JUDGE, APPROACH) \
-    void JUDGE(sf_lane_cells *cells) \
-    { \
-        sf_fill_rows(cells->inputs, cells->n); \
-        judge(sf_filled(cells->n), cells); \
-    } \
-    void APPROACH(sf_lane_zeros *zeros) \
-    { \
-        sf_fill_rows(zeros->inputs, zeros->n); \
-        approach(sf_filled(zeros->n), zeros); \
+#define SF_DEFINE_QUESTION(JUDGE, APPROACH)                                                                            \
+    void JUDGE(sf_lane_cells *cells) {                                                                                 \
+        sf_fill_rows(cells->inputs, cells->n);                                                                         \
+        judge(sf_filled(cells->n), cells);                                                                             \
+    }                                                                                                                  \
+    void APPROACH(sf_lane_zeros *zeros) {                                                                              \
+        sf_fill_rows(zeros->inputs, zeros->n);                                                                         \
+        approach(sf_filled(zeros->n), zeros);                                                                          \
     }
 
 /* Halley's step from A to where a function vanishes that has this value, slope and bend there, kept in bracket i.
  * is_low: whether it is not there yet. Returns the step. */
 static inline double sf_halley(sf_lane_zeros *zeros, ptrdiff_t i, double A, int is_low, double f, double slope,
-                               double bend)
-{
+                               double bend) {
     const double lo = is_low ? A : zeros->lo[i], hi = is_low ? zeros->hi[i] : A;
     const double step = 2 * f * slope / (2 * slope * slope - f * bend), next = A - step;
     const int is_inside = (next >= lo) & (next <= hi);
@@ -144,8 +141,7 @@ typedef struct {
 } sf_lane_slopes;
 
 static inline sf_lane_slopes sf_slopes_on(double a, double h_a, double h1_a, double h2_a, double h3_a, double b,
-                                          double h_b, double h1_b, double h2_b, double h3_b, double base)
-{
+                                          double h_b, double h1_b, double h2_b, double h3_b, double base) {
     const double width = b - a;
     /* what kernels and the roundings below may make of h_A and h_AA; sf_widen_gains */
     const double near_a = a > base ? (a + fabs(h_a)) / sqrt((a - base) * (a + base)) : 0.0;
@@ -167,8 +163,8 @@ static inline sf_lane_slopes sf_slopes_on(double a, double h_a, double h1_a, dou
     const double h1_least = SF_LESSER(h1_a, h1_b), h1_most = SF_GREATER(h1_a, h1_b);
     const double h1_under = sf_lane_least(h1_a, h1_b, falls2, rises2, width);
     const double h1_over = -sf_lane_least(-h1_a, -h1_b, -rises2, -falls2, width);
-    return (sf_lane_slopes){(h2_signed ? h1_least : h1_under) - e1, (h2_signed ? h1_most : h1_over) + e1, h2_lo,
-                            h2_hi, e1};
+    return (sf_lane_slopes){(h2_signed ? h1_least : h1_under) - e1, (h2_signed ? h1_most : h1_over) + e1, h2_lo, h2_hi,
+                            e1};
 }
 
 /* A function between its values at the ends of a cell whose slope is known. */
@@ -215,15 +211,14 @@ static inline double sf_zero_near(double a, double y_a, double slope_a, double b
 /* Where a function with values on either side of zero is likely to vanish: by both values and slopes the cubic that
  * gives A, else the parabola from the end whose slope is known, else `inside`. */
 static inline double sf_lane_zero(double a, double y_a, double slope_a, double b, double y_b, double slope_b,
-                                  double inside)
-{
+                                  double inside) {
     const double width = b - a, by_cubic = sf_zero_near(a, y_a, slope_a, b, y_b, slope_b);
     const double rise = -slope_b * width, curve = y_a - y_b - rise;
     const double root = sqrt(SF_GREATER(rise * rise - 4 * curve * y_b, 0.0));
     const double by_parabola = b + 2 * y_b * width / (rise + (y_b > 0 ? -root : root));
     return (by_cubic > a) & (by_cubic < b) & (fabs(slope_a) < HUGE_VAL) ? by_cubic
            : (by_parabola > a) & (by_parabola < b)                      ? by_parabola
-                                                                       : inside;
+                                                                        : inside;
 }
 
 /* Into the bracket by `sf_zero_near`, else by Newton's step from the first, else in the middle */

@@ -366,8 +366,7 @@ static inline void sf_widen_gains(const sf_model *model, sf_cell *cell) {
 /* The same, F_A and F_AA only where what comes before them has no sign on the cell. Inlined, so that no call computes
  * what is not taken of it. */
 SF_FLAT static inline void sf_range_state_in_turn(const sf_terms *terms, sf_interval Omega, const sf_cell *cell,
-                                                  sf_range *out)
-{
+                                                  sf_range *out) {
     const sf_interval F_0 = terms->F_0, m = terms->m, zeta = terms->zeta, A = cell->A, h_A = cell->h_A,
                       h_AA = cell->h_AA;
     sf_interval R[2], state[3];
@@ -439,8 +438,7 @@ static inline void sf_range_inertial(const sf_task *task, const sf_cell *cell, s
     if (task->question == SF_ISOLA && !sfi_has_sign(own->y)) {
         const sf_interval cubic = sf_cubic_on(task, cell);
         h.hi = sfi_least(h.hi, -2 * zeta.lo * zeta.lo * cell->A.lo * (1 - SF_ERROR)); /* where there is a least level */
-        own->y = sfi_both(own->y,
-                          inertia_intervals_isola_apart(x, cell->A, m, zeta, h, cell->k, cubic));
+        own->y = sfi_both(own->y, inertia_intervals_isola_apart(x, cell->A, m, zeta, h, cell->k, cubic));
         own->once = sf_has_one_isola(h, cell->h_A, cell->k, cubic);
     }
 }

@@ -137,9 +137,7 @@ static inline int sf_give(const sf_mechanism *mechanism, const double *design, d
     return 1;
 }
 
-static inline sf_interval sf_or_unknown(sf_interval x) {
-    return x.lo <= x.hi ? x : sfi_of(-HUGE_VAL, HUGE_VAL);
-}
+static inline sf_interval sf_or_unknown(sf_interval x) { return x.lo <= x.hi ? x : sfi_of(-HUGE_VAL, HUGE_VAL); }
 
 static inline void sf_know_within(const sf_inputs *inputs, int piece, sf_interval A, sf_interval beyond,
                                   sf_known *out) {

@@ -11,7 +11,7 @@
 #include "sensitivities.h"
 
 enum {
-    SF_UNKNOWNS = 3,    /* A, Omega and F_0 */
+    SF_UNKNOWNS = 3,   /* A, Omega and F_0 */
     SF_STATE_ROWS = 5, /* of A, phase and transmissibility, then of Omega and F_0 */
     SF_CONDITIONS = 8,
     SF_SIZES = SF_CONDITIONS * SF_UNKNOWNS, /* behind the slopes */
@@ -25,8 +25,8 @@ typedef struct {
     double end[SF_MOST_COLUMNS], forcing[SF_MOST_COLUMNS], frequency[SF_MOST_COLUMNS];
 } sf_causes;
 
-/* An answer: where it is, what it is, and by what it is excited: its force, and what follows from that; I_0 and zeta with
- * three derivatives each, and whether these are taken beyond where friction ends. */
+/* An answer: where it is, what it is, and by what it is excited: its force, and what follows from that; I_0 and zeta
+ * with three derivatives each, and whether these are taken beyond where friction ends. */
 typedef struct {
     sf_pinned kind;
     int inertial;
@@ -37,9 +37,7 @@ typedef struct {
 } sf_pinned_answer;
 
 /* Whether a value has lost its sign to rounding, as far as a share of its size says. */
-static inline int sf_vanishes(double value, double size, double tolerance) {
-    return !(fabs(value) > tolerance * size);
-}
+static inline int sf_vanishes(double value, double size, double tolerance) { return !(fabs(value) > tolerance * size); }
 
 static int sf_is_on_break(sf_pinned kind) {
     return kind == SF_CORNER_FOLD_PINNED || kind == SF_CORNER_TOP_PINNED || kind == SF_CORNER_END_PINNED ||
@@ -59,13 +57,10 @@ static int sf_comes_to_break(const sf_model *model, sf_pinned kind, double A) {
 }
 
 /* Whether the forcing is one of the numbers found. */
-static int sf_finds_forcing(sf_pinned kind) {
-    return kind >= SF_CUSP_PINNED; /* those before are at a forcing */
-}
+static int sf_finds_forcing(sf_pinned kind) { return kind >= SF_CUSP_PINNED; /* those before are at a forcing */ }
 
 /* The slopes of the conditions at an answer by A, Omega and F_0, and their sizes. */
-SF_ALWAYS void sf_slopes_at(const sf_pinned_answer *answer, const sf_model *model, double slopes[2 * SF_SIZES])
-{
+SF_ALWAYS void sf_slopes_at(const sf_pinned_answer *answer, const sf_model *model, double slopes[2 * SF_SIZES]) {
     const sf_sample *at = &answer->at;
     const double *square = answer->excited + 3, *rest = answer->of.rest, *zeta = answer->of.zeta;
     sensitivities_slopes(answer->Omega, at->A, answer->R, rest[0], rest[1], rest[2], rest[3], zeta[0], zeta[1], zeta[2],
@@ -76,8 +71,7 @@ SF_ALWAYS void sf_slopes_at(const sf_pinned_answer *answer, const sf_model *mode
 /* Which of the answers on breakpoint k an onset there is: whatever comes next to vanishing. Folds leave it where F_A
  * vanishes, R where the force jumps, or F_A beyond where friction ends. */
 static void sf_pin_on_break(const sf_model *model, int k, const double *slopes, double size_of_R,
-                            sf_pinned_answer *answer)
-{
+                            sf_pinned_answer *answer) {
     const int ends = model->released && model->jump[k] == 0;
     double beyond[2 * SF_SIZES];
     sf_pinned_answer past = *answer;
@@ -108,8 +102,7 @@ static void sf_pin_on_break(const sf_model *model, int k, const double *slopes, 
 
 /* The derivatives of A, Omega and F_0 by number j go to column j. Returns 0 where an answer meets another. */
 static int sf_solve(const sf_pinned_answer *answer, const sf_model *model, const sf_causes *of, int columns,
-                    double rates[SF_UNKNOWNS][SF_MOST_COLUMNS])
-{
+                    double rates[SF_UNKNOWNS][SF_MOST_COLUMNS]) {
     static const signed char systems[][9] = SF_SYSTEMS;
     const signed char *rows = systems[answer->kind], *unknowns = rows + 3, together = rows[6], *vanishing = rows + 7;
     const sf_sample *at = &answer->at;
@@ -122,7 +115,10 @@ static int sf_solve(const sf_pinned_answer *answer, const sf_model *model, const
             return 0;
     }
     if (together) {
-        const double *a = slopes + 3 * rows[1], *b = slopes + 3 * rows[2], *size_a = a + SF_SIZES, *size_b = b + SF_SIZES;
+        const double *a = slopes + 3 * rows[1];
+        const double *b = slopes + 3 * rows[2];
+        const double *size_a = a + SF_SIZES;
+        const double *size_b = b + SF_SIZES;
         const int x = unknowns[1], y = unknowns[2];
         determinant = a[x] * b[y] - a[y] * b[x];
         if (sf_vanishes(determinant, size_a[x] * size_b[y] + size_a[y] * size_b[x], SF_MEETING))
@@ -131,10 +127,10 @@ static int sf_solve(const sf_pinned_answer *answer, const sf_model *model, const
     for (int j = 0; j < columns; j++) {
         double right[SF_CONDITIONS], found[SF_UNKNOWNS] = {0, 0, 0};
         sensitivities_right(answer->Omega, at->A, answer->R, answer->of.rest[0], answer->of.rest[1], answer->of.rest[2],
-                            answer->of.zeta[0], answer->of.zeta[1], answer->of.zeta[2], model->d, model->d_3, at->h_A, at->h_AA,
-                            of->h[0][j], of->h[1][j], of->h[2][j], of->rest[0][j], of->rest[1][j], of->rest[2][j],
-                            of->zeta[0][j], of->zeta[1][j], of->zeta[2][j], of->d[0][j], of->d[1][j], of->forcing[j],
-                            of->frequency[j], of->end[j], right);
+                            answer->of.zeta[0], answer->of.zeta[1], answer->of.zeta[2], model->d, model->d_3, at->h_A,
+                            at->h_AA, of->h[0][j], of->h[1][j], of->h[2][j], of->rest[0][j], of->rest[1][j],
+                            of->rest[2][j], of->zeta[0][j], of->zeta[1][j], of->zeta[2][j], of->d[0][j], of->d[1][j],
+                            of->forcing[j], of->frequency[j], of->end[j], right);
         for (int i = 0; i < 3; i++) {
             const double *slope = slopes + 3 * rows[i];
             double known = right[rows[i]];
@@ -159,8 +155,7 @@ static int sf_solve(const sf_pinned_answer *answer, const sf_model *model, const
 
 /* What the damping, the forcing and the frequency do, which is the same everywhere: columns are the numbers of the
  * design first, then mu, zeta, of other laws eta, c_2, c_3 and zeta_2, then F_0 and Omega. */
-static void sf_begin_causes(const sf_mechanism *mechanism, sf_causes *out)
-{
+static void sf_begin_causes(const sf_mechanism *mechanism, sf_causes *out) {
     const int design = mechanism->design_size, next = design + (sf_takes_laws(mechanism) ? 6 : 2);
     memset(out, 0, sizeof *out);
     out->rest[0][design] = slow_flow_friction(1); /* to which it is proportional */
@@ -169,10 +164,10 @@ static void sf_begin_causes(const sf_mechanism *mechanism, sf_causes *out)
         out->d[0][design + 3] = dissipation_quadratic(1), out->d[1][design + 4] = dissipation_cubic(1);
 }
 
-/* What friction, structural damping and, where friction ends, the breakpoint do to I_0 at an answer, and zeta_2 to zeta. */
+/* What friction, structural damping and, where friction ends, the breakpoint do to I_0 at an answer, and zeta_2 to
+ * zeta. */
 static void sf_causes_of_rest(const sf_model *model, const sf_pinned_answer *answer, const double *of_end,
-                              sf_causes *out)
-{
+                              sf_causes *out) {
     const int design = model->mechanism->design_size, released = model->released && answer->beyond;
     double of[9] = {0}, of_zeta[3];
     dissipation_viscous_moves(answer->at.A, of_zeta);
@@ -190,8 +185,7 @@ static void sf_causes_of_rest(const sf_model *model, const sf_pinned_answer *ans
 
 /* What the numbers of the design do at an answer. */
 static void sf_causes_of(const sf_model *model, int piece, const double *by_parameter, const double *by_design,
-                         sf_causes *out)
-{
+                         sf_causes *out) {
     const sf_mechanism *mechanism = model->mechanism;
     const int design = mechanism->design_size;
     const double *of_end = by_design + (mechanism->parameters + piece) * design;
@@ -207,8 +201,7 @@ static void sf_causes_of(const sf_model *model, int piece, const double *by_para
 }
 
 /* Whether both are the same design and damping. */
-static int sf_are_same(const sf_mechanism *mechanism, const sf_numbers *one, const sf_numbers *other)
-{
+static int sf_are_same(const sf_mechanism *mechanism, const sf_numbers *one, const sf_numbers *other) {
     int same = 1;
     for (int i = 0; i < mechanism->design_size; i++)
         same &= one->design[i] == other->design[i];
@@ -261,7 +254,8 @@ static sf_moves_status sf_gradient(const sf_model *model, const double *of_desig
     sf_causes_of(model, piece + mechanism->breakpoints - model->breaks, of_parameter, of_design, of);
     if (sf_takes_laws(mechanism))
         sf_causes_of_rest(
-            model, answer, of_design + (mechanism->parameters + mechanism->breakpoints - model->breaks) * mechanism->design_size, of);
+            model, answer,
+            of_design + (mechanism->parameters + mechanism->breakpoints - model->breaks) * mechanism->design_size, of);
     if (!sf_solve(answer, model, of, columns, rates))
         return SF_MEETS_MOVES;
     for (int i = 0; i < SF_UNKNOWNS; i++)
@@ -269,10 +263,10 @@ static sf_moves_status sf_gradient(const sf_model *model, const double *of_desig
             out[i > 0 ? rows - SF_UNKNOWNS + i : 0][j] = rates[i][j];
     for (int j = 0; j < columns && rows == SF_STATE_ROWS; j++) {
         double found[2];
-        sensitivities_of_state(w, at->A, answer->of.rest[0], answer->of.rest[1], answer->of.zeta[0], answer->of.zeta[1], model->d,
-                               model->d_3, at->h, at->h_A,
-                               answer->excited[0], answer->excited[1], answer->excited[2], of->h[0][j], of->rest[0][j],
-                               of->zeta[0][j], of->d[0][j], of->d[1][j], rates[0][j], rates[1][j], rates[2][j], found);
+        sensitivities_of_state(w, at->A, answer->of.rest[0], answer->of.rest[1], answer->of.zeta[0], answer->of.zeta[1],
+                               model->d, model->d_3, at->h, at->h_A, answer->excited[0], answer->excited[1],
+                               answer->excited[2], of->h[0][j], of->rest[0][j], of->zeta[0][j], of->d[0][j],
+                               of->d[1][j], rates[0][j], rates[1][j], rates[2][j], found);
         out[1][j] = found[0], out[2][j] = found[1];
     }
     for (int i = 0; i < rows; i++)
@@ -282,9 +276,9 @@ static sf_moves_status sf_gradient(const sf_model *model, const double *of_desig
 }
 
 /* An answer by what is known there, and what one number does to that: A, Omega, F_0, what it is, whether inertia
- * excites; h, I_0 and zeta with three derivatives each; d, d_3; then of h, I_0 and zeta with two derivatives each, d, d_3,
- * the forcing, the frequency and an end. Returns derivatives as of `sf_gradient`, and 1; where the answer meets another
- * NaN, and 0. */
+ * excites; h, I_0 and zeta with three derivatives each; d, d_3; then of h, I_0 and zeta with two derivatives each, d,
+ * d_3, the forcing, the frequency and an end. Returns derivatives as of `sf_gradient`, and 1; where the answer meets
+ * another NaN, and 0. */
 static void sf_slopes_of(const double *in, double *out) {
     sf_pinned_answer answer = {.kind = (sf_pinned)in[3], .inertial = in[4] != 0, .Omega = in[1], .F_0 = in[2]};
     double rates[SF_UNKNOWNS][SF_MOST_COLUMNS];
@@ -326,8 +320,10 @@ static void sf_loop_gradients(sf_call *at) {
     sf_begin_causes(mechanism, &of);
     for (at->k = 0; at->k < at->dimensions[0]; at->k++) {
         const double A = sf_number(at, 2);
-        sf_pinned_answer answer = {.kind = (sf_pinned)sf_number(at, 3), .inertial = sf_number(at, 4) != 0,
-                                   .Omega = sf_number(at, 1), .F_0 = sf_number(at, 0)};
+        sf_pinned_answer answer = {.kind = (sf_pinned)sf_number(at, 3),
+                                   .inertial = sf_number(at, 4) != 0,
+                                   .Omega = sf_number(at, 1),
+                                   .F_0 = sf_number(at, 0)};
         sf_moves_status status = SF_NOTHING_MOVES;
         if (mechanism->by_parameter != NULL && A > 0 && A < HUGE_VAL && answer.Omega >= 0 && answer.Omega < HUGE_VAL &&
             answer.F_0 >= 0 && answer.F_0 < HUGE_VAL) {

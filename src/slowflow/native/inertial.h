@@ -39,8 +39,8 @@ static inline double sf_least_x(const sf_model *model, const sf_sample *at) {
 enum { SF_MOST_SHARES = 100 };
 
 /* Omega of a fold, or of a peak, by I and what R is of it there, without h; 0 where that is too much. */
-static inline double sf_Omega_by_share(const sf_model *model, double F_0, const sf_sample *at, int fold, double *ratio)
-{
+static inline double sf_Omega_by_share(const sf_model *model, double F_0, const sf_sample *at, int fold,
+                                       double *ratio) {
     double w = 0, last, slopes[3];
     *ratio = 0;
     for (int i = 0; i < SF_MOST_SHARES; i++) {

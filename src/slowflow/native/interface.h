@@ -5,8 +5,8 @@
 
 #include "certificate.h"
 
-/* The record of every mechanism that the package ships, and what makes one of words and numbers, a program or, where it is
- * sampled, polynomials: with the damping and the excitation of another one. */
+/* The record of every mechanism that the package ships, and what makes one of words and numbers, a program or, where it
+ * is sampled, polynomials: with the damping and the excitation of another one. */
 typedef struct {
     const sf_mechanism *const *all;
     int count;
@@ -97,8 +97,8 @@ typedef struct sf_call sf_call;
  * places.
  *
  * loop      -- over its designs
- * answer    -- of one design: its status, which is the last output, then an item for each of the others but `n` and `i`;
- *              no items where it is no design to query
+ * answer    -- of one design: its status, which is the last output, then an item for each of the others but `n` and
+ *              `i`; no items where it is no design to query
  * of_given  -- whether that needs the oscillator as it was given, not only in pairs
  */
 typedef struct {

@@ -43,9 +43,7 @@ static inline double sfi_product_up(double a, double b) {
     return a == 0 || b == 0 ? 0 : sfi_up(product) + SFI_LEAST;
 }
 
-static inline sf_interval sfi_of(double lo, double hi) {
-    return (sf_interval){lo, hi};
-}
+static inline sf_interval sfi_of(double lo, double hi) { return (sf_interval){lo, hi}; }
 static inline sf_interval sfi_point(double x) { return sfi_of(x, x); }
 /* of a constant that is no double */
 static inline sf_interval sfi_around(double x) { return sfi_of(sfi_down(x), sfi_up(x)); }

@@ -8,8 +8,7 @@ typedef double row[SF_BLOCK];
 
 /* A block that holds several regimes: each one's elements side by side, and back. */
 static void run_mixed(const sf_kernel *kernel, ptrdiff_t n, const double *const *in, double *const *out,
-                      const unsigned char *regime, const ptrdiff_t *steps)
-{
+                      const unsigned char *regime, const ptrdiff_t *steps) {
     row rows[SF_MOST_OPERANDS];
     const double *packed_in[SF_MOST_OPERANDS];
     double *packed_out[SF_MOST_OPERANDS];
@@ -50,8 +49,7 @@ static void run_mixed(const sf_kernel *kernel, ptrdiff_t n, const double *const 
 
 /* A block of one regime: whole vectors where they are, and the rest filled up by its last element. */
 static void run_plain(const sf_kernel *kernel, sf_loop loop, ptrdiff_t n, const double *const *in, double *const *out,
-                      const ptrdiff_t *steps)
-{
+                      const ptrdiff_t *steps) {
     const ptrdiff_t whole = SF_WHOLE(n), rest = n - whole;
     double tails[SF_MOST_OPERANDS][SF_WIDEST];
     const double *tail_in[SF_MOST_OPERANDS];
@@ -77,8 +75,7 @@ static void run_plain(const sf_kernel *kernel, sf_loop loop, ptrdiff_t n, const 
 }
 
 /* Whether somewhere a NaN came out and none went in. */
-static int turns_invalid(const sf_kernel *kernel, char **operands, ptrdiff_t n, const ptrdiff_t *steps)
-{
+static int turns_invalid(const sf_kernel *kernel, char **operands, ptrdiff_t n, const ptrdiff_t *steps) {
     for (ptrdiff_t i = 0; i < n; i++) {
         int nan_in = 0, nan_out = 0;
         for (int j = 0; j < kernel->inputs; j++)
@@ -92,8 +89,7 @@ static int turns_invalid(const sf_kernel *kernel, char **operands, ptrdiff_t n, 
 }
 
 /* One element, where it is. */
-static void run_one(const sf_kernel *kernel, char **operands)
-{
+static void run_one(const sf_kernel *kernel, char **operands) {
     const double *in[SF_MOST_OPERANDS];
     double *out[SF_MOST_OPERANDS];
     ptrdiff_t steps[SF_MOST_OPERANDS];
@@ -108,8 +104,7 @@ static void run_one(const sf_kernel *kernel, char **operands)
 }
 
 /* Any number of elements, block by block. */
-static void run_blocks(const sf_kernel *kernel, char **operands, ptrdiff_t n, const ptrdiff_t *steps)
-{
+static void run_blocks(const sf_kernel *kernel, char **operands, ptrdiff_t n, const ptrdiff_t *steps) {
     const int inputs = kernel->inputs, all = inputs + kernel->outputs;
     row rows[SF_MOST_OPERANDS];
     const double *in[SF_MOST_OPERANDS];
@@ -159,8 +154,7 @@ static void run_blocks(const sf_kernel *kernel, char **operands, ptrdiff_t n, co
     }
 }
 
-void sf_run(char **operands, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data)
-{
+void sf_run(char **operands, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data) {
     const sf_kernel *kernel = data;
     const ptrdiff_t n = dimensions[0];
     const int invalid_before = fetestexcept(FE_INVALID);

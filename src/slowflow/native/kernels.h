@@ -24,24 +24,23 @@ typedef void (*sf_choose)(ptrdiff_t n, const double *const *in, unsigned char *r
 #define X(k) in[k][i]
 
 /* The loop of a kernel in one regime: the statements give the `values` of element i. */
-#define SF_LOOP(name, outputs, ...) \
-    static SF_WIDE void name(ptrdiff_t n, const double *const *in, double *const *out) \
-    { \
-        SF_EACH(i, n) { \
-            double values[outputs]; \
-            __VA_ARGS__ \
-            for (int k = 0; k < (outputs); k++) \
-                out[k][i] = values[k]; \
-        } \
+#define SF_LOOP(name, outputs, ...)                                                                                    \
+    static SF_WIDE void name(ptrdiff_t n, const double *const *in, double *const *out) {                               \
+        SF_EACH(i, n) {                                                                                                \
+            double values[outputs];                                                                                    \
+            __VA_ARGS__                                                                                                \
+            for (int k = 0; k < (outputs); k++)                                                                        \
+                out[k][i] = values[k];                                                                                 \
+        }                                                                                                              \
     }
 
 /* Such loops by the function that they call, whose name ends with the regime, empty where there is one: of a number, of
  * several, and of several, `all` with their arguments, that further statements make the values of. */
-#define SF_SCALAR(regime, kernel, source, ...) \
+#define SF_SCALAR(regime, kernel, source, ...)                                                                         \
     SF_LOOP(kernel##regime##_loop, 1, values[0] = source##regime(__VA_ARGS__);)
-#define SF_TUPLE(regime, kernel, outputs, source, ...) \
+#define SF_TUPLE(regime, kernel, outputs, source, ...)                                                                 \
     SF_LOOP(kernel##regime##_loop, outputs, source##regime(__VA_ARGS__, values);)
-#define SF_PART(regime, kernel, outputs, width, source, arguments, ...) \
+#define SF_PART(regime, kernel, outputs, width, source, arguments, ...)                                                \
     SF_LOOP(kernel##regime##_loop, outputs, double all[width]; source##regime arguments; __VA_ARGS__)
 
 /* The first n arguments of element i. */
@@ -68,32 +67,32 @@ typedef void (*sf_choose)(ptrdiff_t n, const double *const *in, unsigned char *r
 #define SF_ARGUMENTS_21 SF_ARGUMENTS_20, X(20)
 
 /* Of a kernel with one regime, whose function takes its arguments as they come: the loop, and what the table says. */
-#define SF_NUMBER(module, name, inputs) \
-    SF_SCALAR(, module##_##name, module##_##name, SF_ARGUMENTS_##inputs)
-#define SF_NUMBERS(module, name, inputs, outputs) \
+#define SF_NUMBER(module, name, inputs) SF_SCALAR(, module##_##name, module##_##name, SF_ARGUMENTS_##inputs)
+#define SF_NUMBERS(module, name, inputs, outputs)                                                                      \
     SF_TUPLE(, module##_##name, outputs, module##_##name, SF_ARGUMENTS_##inputs)
 #define SF_NUMBER_KERNEL(module, name, inputs) {#name, inputs, 1, SF_ONE(module##_##name)},
 #define SF_NUMBERS_KERNEL(module, name, inputs, outputs) {#name, inputs, outputs, SF_ONE(module##_##name)},
 
 /* The function that chooses a kernel's regime by what is declared of element i. The arrays go into a table of its own,
  * as a char that is written may alias the one that is given. */
-#define SF_CHOOSE(kernel, inputs, chosen, ...) \
-    static SF_WIDE void kernel##_regime(ptrdiff_t n, const double *const *columns, unsigned char *regime) \
-    { \
-        const double *in[inputs]; \
-        for (int k = 0; k < (inputs); k++) \
-            in[k] = columns[k]; \
-        SF_INDEPENDENT for (ptrdiff_t i = 0; i < n; i++) { \
-            __VA_ARGS__; \
-            regime[i] = chosen; \
-        } \
+#define SF_CHOOSE(kernel, inputs, chosen, ...)                                                                         \
+    static SF_WIDE void kernel##_regime(ptrdiff_t n, const double *const *columns, unsigned char *regime) {            \
+        const double *in[inputs];                                                                                      \
+        for (int k = 0; k < (inputs); k++)                                                                             \
+            in[k] = columns[k];                                                                                        \
+        SF_INDEPENDENT                                                                                                 \
+        for (ptrdiff_t i = 0; i < n; i++) {                                                                            \
+            __VA_ARGS__;                                                                                               \
+            regime[i] = chosen;                                                                                        \
+        }                                                                                                              \
     }
 
 /* What the table says of a kernel's regimes: of one, and of several, which a kernel's function chooses. */
 #define SF_NAMED(regime, kernel) kernel##regime##_loop,
-#define SF_ONE(kernel) 1, NULL, (const sf_loop[]){kernel##_loop}
-#define SF_SEVERAL(kernel, ...) \
-    sizeof((const sf_loop[]){__VA_ARGS__}) / sizeof(sf_loop), kernel##_regime, (const sf_loop[]){__VA_ARGS__}
+#define SF_ONE(kernel)                                                                                                 \
+    1, NULL, (const sf_loop[]) { kernel##_loop }
+#define SF_SEVERAL(kernel, ...)                                                                                        \
+    sizeof((const sf_loop[]){__VA_ARGS__}) / sizeof(sf_loop), kernel##_regime, (const sf_loop[]) { __VA_ARGS__ }
 
 /* loops: one for each regime; choose: NULL where there is one regime. What it gives says the function that calls it. */
 typedef struct {

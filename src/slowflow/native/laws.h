@@ -3,11 +3,11 @@
  *
  *   I = I_0 + 2 zeta(A) A Omega + d (A Omega)^2 + d_3 (A Omega)^3
  *
- * I_0 is friction, on all of the way or up to the first breakpoint, and structural damping; zeta(A) = zeta + zeta_2 A^2/4,
- * in which zeta > 0 bounds it from below. F and F_A/2 are of degree 6 in Omega, 4 without d_3, of whose coefficients that of
- * Omega^2 alone may be negative beside the constant (derivations/extensions/dissipation.py): they have at most two positive
- * critical points, a maximum and then a minimum. Under an excitation by inertia, with d_3 = 0, F over Omega^4 is such a
- * polynomial in 1/Omega.
+ * I_0 is friction, on all of the way or up to the first breakpoint, and structural damping; zeta(A) = zeta + zeta_2
+ * A^2/4, in which zeta > 0 bounds it from below. F and F_A/2 are of degree 6 in Omega, 4 without d_3, of whose
+ * coefficients that of Omega^2 alone may be negative beside the constant (derivations/extensions/dissipation.py): they
+ * have at most two positive critical points, a maximum and then a minimum. Under an excitation by inertia, with d_3 =
+ * 0, F over Omega^4 is such a polynomial in 1/Omega.
  */
 #pragma once
 
@@ -50,7 +50,8 @@ static inline int sf_laws_damping_of(const double *inputs, double *damping) {
     damping[0] = slow_flow_friction(inputs[0]), damping[1] = inputs[1], damping[2] = inputs[2];
     damping[3] = dissipation_quadratic(inputs[3]), damping[4] = dissipation_cubic(inputs[4]);
     damping[5] = inputs[5], damping[6] = inputs[6] != 0;
-    /* without friction beyond the breakpoint something else has to dissipate there, and next to rest beside c_3, zeta_2 */
+    /* without friction beyond the breakpoint something else has to dissipate there, and next to rest beside c_3, zeta_2
+     */
     return (inputs[6] == 0 || inputs[1] + inputs[2] + inputs[3] > 0) && (inputs[4] + inputs[5] == 0 || inputs[1] > 0);
 }
 
@@ -128,7 +129,8 @@ static inline double sf_law_F_AA(const sf_model *model, const sf_sample *at, dou
                             of.d_3, at->h, at->h_A, at->h_AA);
 }
 
-/* ==== The polynomial of an amplitude ================================================================================= */
+/* ==== The polynomial of an amplitude =================================================================================
+ */
 
 typedef enum { SF_OF_RESPONSE, SF_OF_FOLDS } sf_law_polynomial_kind;
 
@@ -146,7 +148,8 @@ static inline double sf_law_value(const sf_law_polynomial *q, double w) {
     const sf_law_terms *of = &q->of;
     double far[3];
     if (q->kind == SF_OF_FOLDS)
-        return 0.5 * dissipation_F_A(w, q->A, of->rest[0], of->rest[1], of->zeta[0], of->zeta[1], of->d, of->d_3, q->h, q->h_A);
+        return 0.5 * dissipation_F_A(w, q->A, of->rest[0], of->rest[1], of->zeta[0], of->zeta[1], of->d, of->d_3, q->h,
+                                     q->h_A);
     if (!q->by_x)
         return dissipation_F(w, q->A, q->F_0, of->rest[0], of->zeta[0], of->d, of->d_3, q->h);
     dissipation_far_by_inertia(w, q->A, q->F_0, of->rest[0], of->zeta[0], of->d, q->h, far);
@@ -200,7 +203,8 @@ static inline void sf_make_law_polynomial(const sf_model *model, const sf_sample
         q->A *= 0x1p600, q->F_0 *= 0x1p600, of.zeta[0] *= 0x1p-300, of.d *= 0x1p-600, q->unit = 0x1p300;
     q->of = of;
     if (kind == SF_OF_FOLDS)
-        dissipation_fold_polynomial(q->A, of.rest[0], of.rest[1], of.zeta[0], of.zeta[1], of.d, of.d_3, q->h, q->h_A, q->c);
+        dissipation_fold_polynomial(q->A, of.rest[0], of.rest[1], of.zeta[0], of.zeta[1], of.d, of.d_3, q->h, q->h_A,
+                                    q->c);
     else
         dissipation_response_polynomial(q->A, of.rest[0], of.zeta[0], of.d, of.d_3, q->h, q->c);
     for (int i = 0; q->by_x && i < 2; i++) {
@@ -262,8 +266,8 @@ static inline double sf_law_branch(const sf_law_polynomial *q, int count, int in
 
 /* Every Omega at which the amplitude is a steady state at F_0, or on the fold locus, by its size; returns how many.
  * beyond: as in sf_law_terms_at */
-static inline int sf_law_frequencies(const sf_model *model, const sf_sample *at, sf_law_polynomial_kind kind, double F_0,
-                                     int beyond, double Omega[3]) {
+static inline int sf_law_frequencies(const sf_model *model, const sf_sample *at, sf_law_polynomial_kind kind,
+                                     double F_0, int beyond, double Omega[3]) {
     sf_law_polynomial q;
     sf_make_law_polynomial(model, at, kind, F_0, beyond, &q);
     const int n = sf_law_count(&q);

@@ -25,7 +25,9 @@ static void sf_ask_all(const sf_model *model, sf_question question, double F_0, 
 /* By other laws of damping, in boxes. */
 static void sf_ask_boxes(const sf_model *model, sf_question question, const sf_stretch *piece, sf_law_search *search,
                          sf_zeros *found) {
-    const sf_law_system system = question == SF_CUSP ? SF_LAW_CUSPS : question == SF_ISOLA ? SF_LAW_ISOLAS : SF_LAW_TURNS;
+    const sf_law_system system = question == SF_CUSP    ? SF_LAW_CUSPS
+                                 : question == SF_ISOLA ? SF_LAW_ISOLAS
+                                                        : SF_LAW_TURNS;
     const int number = sf_piece_from(model, piece->first.A);
     sf_begin_search(model, system, HUGE_VAL, search);
     sf_begin_piece(search, number);
@@ -233,8 +235,7 @@ static int sf_is_stable_below(const sf_model *model, double F_0, const sf_sample
 /* Whether rounding may decide which folds there are on a breakpoint at which the force jumps by J, or between it and
  * the next double. Omega: the n frequencies of the response there */
 static int sf_is_corner_close(const sf_model *model, double F_0, double J, const sf_sample *at, int n,
-                              const double *Omega)
-{
+                              const double *Omega) {
     sf_quartic cubic;
     double w[3];
     int count;
@@ -263,8 +264,8 @@ static int sf_is_corner_close(const sf_model *model, double F_0, double J, const
  * friction ends. */
 static int sf_has_corner(const sf_model *model, int i) { return model->jump[i] != 0 || (i == 0 && model->released); }
 
-/* Whether the side above it is stable at a state on it: where the force jumps by J, F_A = 2 R h_A + ... has next to it the
- * sign of R J. */
+/* Whether the side above it is stable at a state on it: where the force jumps by J, F_A = 2 R h_A + ... has next to it
+ * the sign of R J. */
 static int sf_is_stable_above(const sf_model *model, int i, const sf_sample *at, double w) {
     if (model->jump[i] != 0)
         return slow_flow_R(w, at->A, at->h) * model->jump[i] > 0;
@@ -341,8 +342,7 @@ static double sf_excess(const sf_model *model, double F_0, const sf_arc *arc, do
 /* Where the level, which is monotone along the arc, passes F_0: regula falsi (Illinois), and halves where that is
  * slow. */
 static double sf_level_crossing(const sf_model *model, double F_0, const sf_arc *arc, double low, double high,
-                                double *Omega)
-{
+                                double *Omega) {
     double a = arc->A[0], b = arc->A[1], f_a = low, f_b = high;
     for (int i = 0; i < 400; i++) {
         double A = b - f_b * ((b - a) / (f_b - f_a));
@@ -365,8 +365,7 @@ static double sf_level_crossing(const sf_model *model, double F_0, const sf_arc 
 
 /* Of an excitation by inertia at an amplitude, with the last digits of Omega. */
 static void sf_add_fold_by_inertia(const sf_model *model, double F_0, const sf_sample *at, double Omega,
-                                   sf_folds *folds)
-{
+                                   sf_folds *folds) {
     Omega = sf_settled_Omega(model, F_0, at, Omega);
     if (model->zeta > 0)
         Omega = sf_sharp_Omega(model, F_0, at, Omega);
@@ -489,14 +488,13 @@ static sf_extremum sf_extremum_at(const sf_model *model, const sf_zero *zero) {
 
 static double sf_locus_weight(const sf_arc *arc, double A_max) {
     const double way = fabs(arc->Omega[1] / (1 + arc->Omega[1]) - arc->Omega[0] / (1 + arc->Omega[0]));
-    return (isnan(way) ? 0 : way) +
-           (arc->A[1] - arc->A[0]) / A_max + SF_SPREAD;
+    return (isnan(way) ? 0 : way) + (arc->A[1] - arc->A[0]) / A_max + SF_SPREAD;
 }
 
 /* About `samples` points along the locus in work, in order along each branch; returns their number, and with Omega NULL
  * only that. */
 static long sf_draw_locus(const sf_model *model, long samples, sf_work *work, double *Omega, double *A, double *F_0,
-                             long long *branch) {
+                          long long *branch) {
     const sf_graph *locus = &work->locus;
     double total = 0;
     long n = 0;

@@ -115,8 +115,11 @@ static void sf_write_answer(const sf_call *at, sf_query *q) {
         if (*type < 'a') {
             const int is_curve = type[strcspn(type, "ni")] == 'i';
             taken = of->n;
-            sf_write_places(of, taken <= *max_count ? taken : is_curve ? 0 : (long)*max_count, *type, *max_count, here,
-                            *inner++);
+            sf_write_places(of,
+                            taken <= *max_count ? taken
+                            : is_curve          ? 0
+                                                : (long)*max_count,
+                            *type, *max_count, here, *inner++);
         } else if (*type == 'd')
             *(double *)(void *)here = of->value;
         else

@@ -55,8 +55,7 @@ static SF_FLAT void sf_lane_level_steps(ptrdiff_t n, sf_detaching *block) {
 }
 
 static void sf_settle_detachments(const sf_mechanism *mechanism, ptrdiff_t n, const sf_exact_block *exact,
-                                  sf_detaching *block)
-{
+                                  sf_detaching *block) {
     sf_lane_least_forcings(n, block);
     mechanism->on_first_end_in_pairs(mechanism, n, SF_LANE_BLOCK, exact->number, block->end);
     sf_lane_level_steps(n, block);
@@ -78,8 +77,8 @@ static void sf_detach_singly(const sf_call *at) {
     sf_model model;
     sf_exactly exactly;
     if (sf_design_at(at, 0, &inputs, &model))
-        status = sf_settled_detachment(&model, sf_exactly_in(&inputs, at->mechanism, &exactly), &F_cr, &Omega_cr,
-                                       &u_cr);
+        status =
+            sf_settled_detachment(&model, sf_exactly_in(&inputs, at->mechanism, &exactly), &F_cr, &Omega_cr, &u_cr);
     sf_write_detachment(at, F_cr, Omega_cr, u_cr, status);
 }
 

@@ -104,7 +104,7 @@ static int sf_leave_folds(const sf_call *at, const sf_exactly *exactly, sf_lane_
 
 static void sf_loop_folds(sf_call *at) {
     static const sf_lane_question folds = {sizeof(sf_lane_block), SF_FOLD_BLOCK, sf_enter_folds, sf_judge_folds,
-                                           sf_approach_folds, NULL, sf_sample_at, SF_REMEMBERED_ROWS,
-                                           SF_LAST_BY_SQUARES, sf_leave_folds};
+                                           sf_approach_folds,     NULL,          sf_sample_at,   SF_REMEMBERED_ROWS,
+                                           SF_LAST_BY_SQUARES,    sf_leave_folds};
     sf_loop_in_lanes(at, &folds);
 }

@@ -9,23 +9,24 @@
 #include "many.h"
 
 enum {
-    SF_LANE_BLOCK = 128, /* designs that go together */
-    SF_LANE_ROUNDS = 12, /* of cuts */
+    SF_LANE_BLOCK = 128,     /* designs that go together */
+    SF_LANE_ROUNDS = 12,     /* of cuts */
     SF_LANE_APPROACHES = 16, /* of zeros: some folds take more than 8, and by themselves much longer */
-    SF_LANE_ZEROS = 8 /* of one design */
+    SF_LANE_ZEROS = 8        /* of one design */
 };
 
 /* the last step of a question whose errors fall by cubes */
 #define SF_LAST_BY_CUBES 0x1p-17
 
-/* Designs of a block in pairs, their parameters made at once: in loops that vectorise they take a fraction of the time. */
+/* Designs of a block in pairs, their parameters made at once: in loops that vectorise they take a fraction of the time.
+ */
 typedef struct {
     double number[SF_MOST_DESIGN * SF_LANE_BLOCK], part[2 * (SF_MOST_PARAMETERS + SF_MOST_BREAKS) * SF_LANE_BLOCK];
 } sf_exact_block;
 
-/* What the force of a model, which is member d, loses at its breakpoints: as a difference of parameters in doubles it may
- * be all rounding. 0 where there are fewer breakpoints, or doubles have not half of the digits that pairs have, whose
- * sign then is certain. */
+/* What the force of a model, which is member d, loses at its breakpoints: as a difference of parameters in doubles it
+ * may be all rounding. 0 where there are fewer breakpoints, or doubles have not half of the digits that pairs have,
+ * whose sign then is certain. */
 static inline int sf_take_jumps(const sf_exact_block *block, ptrdiff_t d, sf_model *model) {
     const sf_mechanism *mechanism = model->mechanism;
     for (int i = 0; i < model->breaks; i++) {
@@ -152,17 +153,16 @@ static inline sf_sample sf_average_at(const sf_model *model, double A) {
 /* These take functions that are known where they are called, so that they are called without a pointer. */
 
 SF_ALWAYS void sf_sample_row(sf_lane_sample *sample, const sf_lane_block *block, int d, double A,
-                             double (*rows)[SF_LANE_CELLS], int k)
-{
+                             double (*rows)[SF_LANE_CELLS], int k) {
     const sf_sample at = sample(&block->at[d].model, A);
     sf_probe_row(rows, k, &at);
 }
 
 /* The cells with which the search for design d begins, one for each piece of the force up to an amplitude; of the first
- * piece those that `first` makes, if it is not NULL, `more` at most. 0 where there are no places for them, or a preload. */
+ * piece those that `first` makes, if it is not NULL, `more` at most. 0 where there are no places for them, or a
+ * preload. */
 SF_ALWAYS int sf_begin_pieces(sf_lane_sample *sample, sf_lane_block *block, int d, double A_max, int more,
-                              void (*first)(sf_lane_block *, int, const sf_sample *, const sf_sample *))
-{
+                              void (*first)(sf_lane_block *, int, const sf_sample *, const sf_sample *)) {
     const sf_model *model = &block->at[d].model;
     int pieces = 0;
     while (pieces < model->breaks && model->b[pieces] < A_max)
@@ -185,9 +185,8 @@ SF_ALWAYS int sf_begin_pieces(sf_lane_sample *sample, sf_lane_block *block, int 
 }
 
 /* Cells with a zero as brackets. */
-SF_ALWAYS void sf_add_brackets(sf_lane_sample *sample, sf_lane_block *block, const sf_lane_cells *cells, const int *which,
-                               int n)
-{
+SF_ALWAYS void sf_add_brackets(sf_lane_sample *sample, sf_lane_block *block, const sf_lane_cells *cells,
+                               const int *which, int n) {
     sf_lane_zeros *zeros = &block->zeros[0];
     sf_take_rows(cells->task, SF_TASK_ROWS, which, n, zeros->task, zeros->n);
     for (int j = 0; j < n; j++) {
@@ -226,8 +225,7 @@ static void sf_add_lane_zero(sf_lane_design *of, const sf_lane_zeros *zeros, int
 
 /* The cells that stay open as two each of the next round, the lower ones first. */
 SF_ALWAYS void sf_cut_cells(sf_lane_sample *sample, sf_lane_block *block, const sf_lane_cells *cells, const int *which,
-                            int n, sf_lane_cells *next)
-{
+                            int n, sf_lane_cells *next) {
     const int behind = 2 * SF_PROBE_ROWS; /* the rows of both ends */
     next->n = 2 * n;
     sf_take_rows(cells->low, SF_PROBE_ROWS, which, n, next->low, 0);
@@ -344,8 +342,8 @@ SF_ALWAYS void sf_loop_in_lanes(sf_call *at, const sf_lane_question *by) {
  * neither sticks nor all but sticks. */
 static int sf_enter_at_forcing(const sf_call *at, const sf_exact_block *exact, sf_lane_design *of, int d) {
     of->F_0 = sf_number(at, 0), of->Omega = 0, of->n = 0;
-    if (!at->mechanism->is_forcing(of->F_0) || !sf_prepare_member(at, exact, d, &of->model) ||
-        !(of->model.zeta > 0) || sf_sticks(&of->model, of->F_0) || sf_nearly_sticks(&of->model, of->F_0))
+    if (!at->mechanism->is_forcing(of->F_0) || !sf_prepare_member(at, exact, d, &of->model) || !(of->model.zeta > 0) ||
+        sf_sticks(&of->model, of->F_0) || sf_nearly_sticks(&of->model, of->F_0))
         return 0;
     of->task[0] = 0, of->task[1] = of->model.zeta, of->task[2] = of->model.m, of->task[3] = of->F_0;
     return 1;

@@ -76,7 +76,7 @@ static int sf_leave_onset(const sf_call *at, const sf_exactly *exactly, sf_lane_
 
 static void sf_loop_onsets(sf_call *at) {
     static const sf_lane_question cusps = {sizeof(sf_onset_block), SF_ONSET_BLOCK, sf_enter_onset, sf_judge_cusps,
-                                           sf_approach_cusps, NULL, sf_sample_at, SF_REMEMBERED_ROWS, SF_LAST_OF_CUSP,
-                                           sf_leave_onset};
+                                           sf_approach_cusps,      NULL,           sf_sample_at,   SF_REMEMBERED_ROWS,
+                                           SF_LAST_OF_CUSP,        sf_leave_onset};
     sf_loop_in_lanes(at, &cusps);
 }

@@ -79,8 +79,8 @@ static int sf_leave_peak(const sf_call *at, const sf_exactly *exactly, sf_lane_b
 }
 
 static void sf_loop_peaks(sf_call *at) {
-    static const sf_lane_question peaks = {sizeof(sf_lane_block), SF_LANE_BLOCK, sf_enter_peak, sf_judge_peaks,
-                                           sf_approach_peaks, sf_search_peaks, sf_average_at, SF_KEPT_ROWS,
-                                           SF_LAST_BY_CUBES, sf_leave_peak};
+    static const sf_lane_question peaks = {sizeof(sf_lane_block), SF_LANE_BLOCK,   sf_enter_peak, sf_judge_peaks,
+                                           sf_approach_peaks,     sf_search_peaks, sf_average_at, SF_KEPT_ROWS,
+                                           SF_LAST_BY_CUBES,      sf_leave_peak};
     sf_loop_in_lanes(at, &peaks);
 }

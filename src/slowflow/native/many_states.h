@@ -50,8 +50,8 @@ static int sf_leave_states(const sf_call *at, const sf_exactly *exactly, sf_lane
 }
 
 static void sf_loop_states(sf_call *at) {
-    static const sf_lane_question states = {sizeof(sf_lane_block), SF_LANE_BLOCK, sf_enter_states, sf_judge_states,
-                                            sf_approach_states, NULL, sf_average_at, SF_KEPT_ROWS, SF_LAST_BY_CUBES,
-                                            sf_leave_states};
+    static const sf_lane_question states = {sizeof(sf_lane_block), SF_LANE_BLOCK,  sf_enter_states, sf_judge_states,
+                                            sf_approach_states,    NULL,           sf_average_at,   SF_KEPT_ROWS,
+                                            SF_LAST_BY_CUBES,      sf_leave_states};
     sf_loop_in_lanes(at, &states);
 }

@@ -119,8 +119,7 @@ struct sf_mechanism {
 };
 
 /* What a record has that no force changes, from another one of an odd force. */
-static inline void sf_take_surroundings(const sf_mechanism *like, sf_mechanism *record)
-{
+static inline void sf_take_surroundings(const sf_mechanism *like, sf_mechanism *record) {
     record->form = SF_FORM, record->damping_size = like->damping_size, record->damping_of = like->damping_of;
     record->is_forcing = like->is_forcing, record->dissipation = like->dissipation, record->level = like->level;
     record->mean_offset = like->mean_offset;
@@ -130,16 +129,14 @@ static inline void sf_take_surroundings(const sf_mechanism *like, sf_mechanism *
  * ones are what pairs give, of which number i has its high part at high[i*apart]. One that is 0 to rounding, or whose
  * sign rounding decides, stays as everyone has it: quasi-zero stiffness is meant by 1/(lam r) = delta_h, which doubles
  * seldom are. */
-static inline void sf_keep_digits(int n, const double *high, ptrdiff_t apart, double *p)
-{
+static inline void sf_keep_digits(int n, const double *high, ptrdiff_t apart, double *p) {
     for (int i = 0; i < n; i++, high += apart)
         if (p[i] * *high > 0 && fabs(p[i] - *high) > 0x1p-49 * fabs(p[i]))
             p[i] = *high;
 }
 
 /* The parameters of a design; 0 where a number lies outside its domain. */
-static inline int sf_take_design(const sf_mechanism *mechanism, const double *design, double *p)
-{
+static inline int sf_take_design(const sf_mechanism *mechanism, const double *design, double *p) {
     sf_pair pairs[SF_MOST_PARAMETERS + SF_MOST_BREAKS];
     if (!mechanism->parameters_of(mechanism, design, p))
         return 0;

@@ -17,15 +17,12 @@
 #include "slow_flow_mu0.h"
 #include "slow_flow_zeta0.h"
 
-/* m, zeta: the damping as the quartics of roots.h take it, I = 2 zeta A Omega + m; eta, d, d_3, zeta_2, released: other laws of
- * it,
- * see laws.h, 0 where the record takes none; breaks: number of breakpoints b > 0,
- * by rising size; jump: force just below less force just above; kink: the same of its slope and of its curvature;
- * reach:
- * the mechanism's, infinite where of its pieces a linear one is left; by_laws: whether laws.h answers for it: there are
- * other laws, or a preload under an excitation by inertia; lowest: the lowest Omega of the query, which bounds the
- * states of a mass that no spring holds; sign_lost: whether the sign of a jump is lost, as
- * where the jump is below the range of doubles */
+/* m, zeta: the damping as the quartics of roots.h take it, I = 2 zeta A Omega + m; eta, d, d_3, zeta_2, released: other
+ * laws of it, see laws.h, 0 where the record takes none; breaks: number of breakpoints b > 0, by rising size; jump:
+ * force just below less force just above; kink: the same of its slope and of its curvature; reach: the mechanism's,
+ * infinite where of its pieces a linear one is left; by_laws: whether laws.h answers for it: there are other laws, or a
+ * preload under an excitation by inertia; lowest: the lowest Omega of the query, which bounds the states of a mass that
+ * no spring holds; sign_lost: whether the sign of a jump is lost, as where the jump is below the range of doubles */
 typedef struct {
     const sf_mechanism *mechanism;
     double p[SF_MOST_PARAMETERS];

@@ -55,10 +55,10 @@ static void sf_consider_zero(const sf_model *model, const sf_zero *zero, const s
                     zero->question == SF_CUSP ? SF_CUSP_KIND : SF_ISOLA_KIND, best);
 }
 
-/* A piece without what lies next to the end of a play, where F_A is positive at any frequency: there both functions of a
- * system vanish together at Omega = 0, and boxes would be cut for ever. F_A/2 is R R_A >= -Omega^2 max(A |h_A|, |h|) and
- * I I_A, of which one part goes as Omega^2, too, and the others are positive. Unresolved where that part is 0, or what it
- * outweighs lies between two doubles, and where the level does not change with Omega. piece: its number */
+/* A piece without what lies next to the end of a play, where F_A is positive at any frequency: there both functions of
+ * a system vanish together at Omega = 0, and boxes would be cut for ever. F_A/2 is R R_A >= -Omega^2 max(A |h_A|, |h|)
+ * and I I_A, of which one part goes as Omega^2, too, and the others are positive. Unresolved where that part is 0, or
+ * what it outweighs lies between two doubles, and where the level does not change with Omega. piece: its number */
 static sf_status sf_leave_play(const sf_model *model, int piece, sf_stretch *of) {
     const sf_sample first = of->first;
     const double base = piece > 0 ? model->b[piece - 1] : 0;
@@ -83,8 +83,8 @@ static sf_status sf_leave_play(const sf_model *model, int piece, sf_stretch *of)
     return SF_UNRESOLVED;
 }
 
-/* All points of a system on a piece at which the level is lower than the best so far; a least one that is none is no lower
- * than the one of its curve. */
+/* All points of a system on a piece at which the level is lower than the best so far; a least one that is none is no
+ * lower than the one of its curve. */
 static sf_status sf_consider_points(const sf_model *model, sf_law_system system, int piece, const sf_stretch *of,
                                     sf_law_search *search, sf_onset *best) {
     sf_begin_search(model, system, best->F_SN, search);
@@ -111,7 +111,8 @@ static void sf_consider_end_by_laws(const sf_model *model, double A, sf_onset *b
 }
 
 /* As sf_consider_piece. Fewer levels are searched once the cusps are known. */
-static sf_status sf_consider_piece_by_laws(const sf_model *model, const sf_stretch *piece, sf_work *work, sf_onset *best) {
+static sf_status sf_consider_piece_by_laws(const sf_model *model, const sf_stretch *piece, sf_work *work,
+                                           sf_onset *best) {
     sf_stretch left = *piece;
     const int number = sf_piece_from(model, piece->first.A);
     sf_status status = sf_leave_play(model, number, &left);
@@ -172,8 +173,8 @@ static int sf_falls_from_below(const sf_model *model, const sf_sample *at, doubl
 }
 
 /* The same for an excitation by inertia: all that may bound the level of folds on the breakpoint, none of it lower than
- * they are; J = 0 where only the slope of the force jumps. Where they begin at R = 0 the level falls with Omega, by I over
- * Omega^2. */
+ * they are; J = 0 where only the slope of the force jumps. Where they begin at R = 0 the level falls with Omega, by I
+ * over Omega^2. */
 static void sf_consider_inertial(const sf_model *model, const sf_sample *at, double J, sf_onset *best) {
     const double x = sf_least_x(model, at);
     double w[3];
@@ -324,8 +325,8 @@ static int sf_undamped_in(const sf_model *model, const sf_stretch *piece, sf_zer
 }
 
 /* The same on a breakpoint. Where the force jumps by J folds sit on it at Omega^2 > -h_A, if J < 0, or below. */
-static int sf_undamped_on(const sf_model *model, const sf_sample *at, const sf_sample *above, double J, sf_onset *best)
-{
+static int sf_undamped_on(const sf_model *model, const sf_sample *at, const sf_sample *above, double J,
+                          sf_onset *best) {
     const int falls_off = at->h_A < 0, falls = falls_off && sf_undamped_rises(at->h_AA, at->h_AAA, at->k, 0) < 0;
     const double at_rest = sf_level(model, at, 0);
     int turns;
@@ -541,8 +542,7 @@ static double sf_first_with_folds(const sf_model *model, const sf_sample *rest) 
 
 /* The lowest forcing at which folds are born, from there. pieces: how many of the first have been considered */
 static sf_status sf_end_onset(const sf_model *model, const sf_piece_ends *ends, int pieces, sf_work *work,
-                              sf_onset *best)
-{
+                              sf_onset *best) {
     const int undamped = model->zeta == 0 && !sf_has_laws(model);
     const double from = undamped ? 0 : sf_first_with_folds(model, &ends->rest);
     sf_sample rest = ends->rest;

@@ -19,12 +19,8 @@ static inline sf_pair sfp_of(double high, double low) {
     const double sum = high + low;
     return (sf_pair){sum, low - (sum - high)};
 }
-static inline sf_pair sfp_point(double x) {
-    return (sf_pair){x, 0};
-}
-static inline sf_pair sfp_neg(sf_pair a) {
-    return (sf_pair){-a.high, -a.low};
-}
+static inline sf_pair sfp_point(double x) { return (sf_pair){x, 0}; }
+static inline sf_pair sfp_neg(sf_pair a) { return (sf_pair){-a.high, -a.low}; }
 static inline sf_pair sfp_add(sf_pair a, sf_pair b) {
     double low;
     const double high = twofold_two_sum(a.high, b.high, &low);

@@ -13,8 +13,7 @@
 #endif
 
 /* The angle whose tangent is y/x, 0 <= y <= x: where an angle and its complement are needed, it is computed once. */
-PAIR_ANGLES_CONST static sf_pair pair_angles_acute(sf_pair y, sf_pair x)
-{
+PAIR_ANGLES_CONST static sf_pair pair_angles_acute(sf_pair y, sf_pair x) {
     const sf_pair t = sfp_div(y, x);
     const int k = t.high > 0 ? (int)(PAIR_ANGLES_CUT * t.high + 0.5) : 0; /* of no number, as in an unused lane, too */
     const double c = (double)k / PAIR_ANGLES_CUT;
@@ -30,16 +29,14 @@ PAIR_ANGLES_CONST static sf_pair pair_angles_acute(sf_pair y, sf_pair x)
 }
 
 /* The angle of (x, y) from 0 to pi/2, x and y not negative, not both 0. */
-TWOFOLD_INLINE sf_pair pair_angles_atan2(sf_pair y, sf_pair x)
-{
+TWOFOLD_INLINE sf_pair pair_angles_atan2(sf_pair y, sf_pair x) {
     const int steep = y.high > x.high;
     const sf_pair angle = pair_angles_acute(steep ? x : y, steep ? y : x);
     return steep ? sfp_sub(pair_angles_half_pi, angle) : angle;
 }
 
 /* The angle of (y, x): what pair_angles_atan2(x, y) gives. */
-TWOFOLD_INLINE sf_pair pair_angles_atan2_swapped(sf_pair y, sf_pair x)
-{
+TWOFOLD_INLINE sf_pair pair_angles_atan2_swapped(sf_pair y, sf_pair x) {
     const int steep = y.high > x.high;
     const sf_pair angle = pair_angles_acute(steep ? x : y, steep ? y : x);
     return steep ? angle : sfp_sub(pair_angles_half_pi, angle);

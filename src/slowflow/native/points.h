@@ -5,10 +5,10 @@
  * fold of weak damping; or the frequency w, where R is not small beside h. Under an excitation by inertia all is over
  * Omega^2, in w = 1/Omega: Omega^-2 = (R - A)/h. None is missed: a box is left only when it is proved to hold no point,
  * or exactly one. First what both functions demand narrows R and w (demands.h), which nearly removes a dimension; then
- * one of them may have a sign on what is left. If the determinant of their slopes has one, the box holds no more than one
- * point (the slopes between two points are among those of the box). That there is one Krawczyk's operator proves on a
- * small box around where Newton's method leads. Else the box is cut; where that goes on until no double lies between its
- * ends, that it was undecided is said. As in scan.h what kernels err by is taken for granted (SF_ERROR).
+ * one of them may have a sign on what is left. If the determinant of their slopes has one, the box holds no more than
+ * one point (the slopes between two points are among those of the box). That there is one Krawczyk's operator proves on
+ * a small box around where Newton's method leads. Else the box is cut; where that goes on until no double lies between
+ * its ends, that it was undecided is said. As in scan.h what kernels err by is taken for granted (SF_ERROR).
  */
 #pragma once
 
@@ -46,9 +46,9 @@ enum {
 /* ==== The functions ============================================================================================== */
 
 typedef void sf_functions_of(double w, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA,
-                             double zeta, double zeta_A, double zeta_AA, double zeta_AAA, double d, double d_3, double h,
-                             double h_A, double h_AA, double h_AAA, double R, double I, double R_A, double I_A,
-                             double *out);
+                             double zeta, double zeta_A, double zeta_AA, double zeta_AAA, double d, double d_3,
+                             double h, double h_A, double h_AA, double h_AAA, double R, double I, double R_A,
+                             double I_A, double *out);
 typedef void sf_functions_on(sf_interval w, sf_interval A, sf_interval F_0, sf_interval I_0, sf_interval I_0A,
                              sf_interval I_0AA, sf_interval I_0AAA, sf_interval zeta, sf_interval zeta_A,
                              sf_interval zeta_AA, sf_interval zeta_AAA, sf_interval d, sf_interval d_3, sf_interval h,
@@ -57,6 +57,7 @@ typedef void sf_functions_on(sf_interval w, sf_interval A, sf_interval F_0, sf_i
 
 /* Of each system, of a force and of inertia, by R and by w: both functions and their slopes by A and by the other
  * unknown, of the first and then of the second. Turns know of neither. */
+/* clang-format off */
 #define SF_NEAR(of) {dissipation_##of##_by_R, dissipation_##of##_by_Omega}
 #define SF_FAR(of) {dissipation_##of##_far_by_R, dissipation_##of##_far_by_x}
 #define SF_FORMS(of)                                                                                                   \
@@ -65,6 +66,8 @@ typedef void sf_functions_on(sf_interval w, sf_interval A, sf_interval F_0, sf_i
      {SF_NEAR(of##cusps), SF_FAR(of##cusps)},                                                                          \
      {SF_NEAR(of##isolas), SF_FAR(of##isolas)},                                                                        \
      {SF_NEAR(of##turns), {NULL, NULL}}}
+/* clang-format on */
+
 static sf_functions_of *const sf_at_points[SF_LAW_SYSTEMS][2][2] = SF_FORMS();
 static sf_functions_on *const sf_on_boxes[SF_LAW_SYSTEMS][2][2] = SF_FORMS(intervals_);
 
@@ -78,10 +81,9 @@ static void sf_functions_within(const sf_law_search *search, const sf_strip *str
     sf_balances_at(search, strip, w, &of);
     if (!by_w)
         of.R = u, of.R_A = sf_slope_of(search, strip, u);
-    sf_on_boxes[search->system][search->far][by_w](w, cell->A, search->force, rest[0], rest[1], rest[2], rest[3],
-                                                   zeta[0], zeta[1], zeta[2], zeta[3], search->laws.d, search->laws.d_3,
-                                                   cell->h, cell->h_A, cell->h_AA, cell->h_AAA, of.R, of.I, of.R_A,
-                                                   of.I_A, out);
+    sf_on_boxes[search->system][search->far][by_w](
+        w, cell->A, search->force, rest[0], rest[1], rest[2], rest[3], zeta[0], zeta[1], zeta[2], zeta[3],
+        search->laws.d, search->laws.d_3, cell->h, cell->h_A, cell->h_AA, cell->h_AAA, of.R, of.I, of.R_A, of.I_A, out);
 }
 
 /* At a point, of which Omega, R and the size of its terms are set, NaN where there is none. */
@@ -108,9 +110,7 @@ static void sf_functions_at(const sf_law_search *search, const sf_sample *at, sf
                                                            at->h_AA, at->h_AAA, of[0], of[2], of[1], of[3], out);
 }
 
-static sf_interval sf_determinant(const sf_interval f[6]) {
-    return sfi_sub(sfi_mul(f[2], f[5]), sfi_mul(f[3], f[4]));
-}
+static sf_interval sf_determinant(const sf_interval f[6]) { return sfi_sub(sfi_mul(f[2], f[5]), sfi_mul(f[3], f[4])); }
 
 /* ==== One point ================================================================================================== */
 
@@ -143,8 +143,8 @@ typedef struct {
     sf_interval u;
 } sf_surroundings;
 
-/* Where Krawczyk's operator maps a box to, both from a place in it: off: the functions there, times `inverse`, of slopes
- * there; on: the slopes on the box. */
+/* Where Krawczyk's operator maps a box to, both from a place in it: off: the functions there, times `inverse`, of
+ * slopes there; on: the slopes on the box. */
 static void sf_map_box(const double inverse[4], const sf_interval off[2], const sf_interval on[6],
                        const sf_interval box[2], sf_interval image[2]) {
     for (int i = 0; i < 2; i++) {
@@ -197,12 +197,13 @@ static int sf_prove_point(const sf_law_search *search, const double f[6], sf_law
     return 1;
 }
 
-/* Whether a box with these slopes, whose determinant has a sign, is proved to hold none, as next to a point outside: the
- * operator maps it off itself. */
+/* Whether a box with these slopes, whose determinant has a sign, is proved to hold none, as next to a point outside:
+ * the operator maps it off itself. */
 static int sf_is_left(const sf_law_search *search, const sf_law_box *box, double middle, sf_interval u,
                       const sf_interval on[6]) {
     const sf_interval centre = sfi_point(0.5 * (u.lo + u.hi));
-    const sf_interval off_centre[2] = {sfi_sub(sfi_of(box->a.at.A, box->b.at.A), sfi_point(middle)), sfi_sub(u, centre)};
+    const sf_interval off_centre[2] = {sfi_sub(sfi_of(box->a.at.A, box->b.at.A), sfi_point(middle)),
+                                       sfi_sub(u, centre)};
     sf_interval at[6], off[2], image[2];
     double slope[6], inverse[4];
     sf_strip strip;
@@ -289,9 +290,10 @@ static int sf_settle_point(sf_law_search *search, sf_law_box *box, double middle
 
 /* ==== The search ================================================================================================= */
 
-/* Whether it is the other unknown that is cut, which moves both functions more than A does. Next to a jump no slope by A
- * is bounded, next to w = 0 none by R. */
-static int sf_moves_by_other(const sf_law_search *search, const sf_law_box *box, sf_interval u, const sf_interval f[6]) {
+/* Whether it is the other unknown that is cut, which moves both functions more than A does. Next to a jump no slope by
+ * A is bounded, next to w = 0 none by R. */
+static int sf_moves_by_other(const sf_law_search *search, const sf_law_box *box, sf_interval u,
+                             const sf_interval f[6]) {
     const double width = box->b.at.A - box->a.at.A, height = u.hi - u.lo;
     const double of_A[] = {sf_size_of(f[2]) * width, sf_size_of(f[4]) * width};
     const double of_u[] = {sf_size_of(f[3]) * height, sf_size_of(f[5]) * height};
@@ -307,7 +309,8 @@ static int sf_moves_by_other(const sf_law_search *search, const sf_law_box *box,
     if (!sf_is_forced(search) && !is_unlimited && search->base > 0)
         return height * (box->b.at.A - search->base) * SF_MUCH_MORE * SF_MUCH_MORE >
                width * sfi_most(sf_size_of(u), SF_LOW * SF_LOW);
-    return height * box->b.at.A > width * sfi_most(sf_size_of(u), box->by_w || !sf_is_forced(search) ? SF_LOW : search->F_0);
+    return height * box->b.at.A >
+           width * sfi_most(sf_size_of(u), box->by_w || !sf_is_forced(search) ? SF_LOW : search->F_0);
 }
 
 /* Whether R is no small difference of A Omega^2 and h, or R over Omega^2 does not tell w, as h may vanish. */
@@ -364,8 +367,8 @@ static void sf_search_points(sf_law_search *search, const sf_sample *first, cons
     else
         search->blurred = 0;
     search->pending[0].a.at = *first, search->pending[0].b.at = *last;
-    /* with a preload what lies next to rest is left out: there A Omega^2 is all that counts, and F has no fold but where
-     * F_0 is m, or what holds the mass, to rounding */
+    /* with a preload what lies next to rest is left out: there A Omega^2 is all that counts, and F has no fold but
+     * where F_0 is m, or what holds the mass, to rounding */
     if (first->A == 0 && first->h != 0)
         search->pending[0].a.at = sf_sample_at(search->model, SF_NEXT_TO_PRELOAD * last->A);
     sf_know(&search->pending[0].a.at, &search->pending[0].a.known);
@@ -430,7 +433,8 @@ static void sf_search_pieces(const sf_model *model, sf_law_system system, double
                              sf_law_search *search) {
     sf_begin_search(model, system, F_0, search);
     for (int i = 0; i < pieces->n && search->found.status == SF_OK; i++) {
-        /* where there is no spring F rises with Omega, or falls over Omega^4: next to where it is flat, to the fourth power */
+        /* where there is no spring F rises with Omega, or falls over Omega^4: next to where it is flat, to the fourth
+         * power */
         if (system == SF_LAW_PEAKS && !sf_has_force(&pieces->at[i]))
             continue;
         sf_begin_piece(search, i);

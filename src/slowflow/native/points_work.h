@@ -5,16 +5,9 @@
 
 enum { SF_MOST_POINTS = 64, SF_MOST_PENDING = 256 };
 
-/* F = F_A = 0; F = F_Omega = 0, or where the level of an excitation by inertia is stationary; F_A = F_AA = 0; F_A = 0 where
- * the level is stationary; F_A = F_AOmega = 0 */
-typedef enum {
-    SF_LAW_FOLDS,
-    SF_LAW_PEAKS,
-    SF_LAW_CUSPS,
-    SF_LAW_ISOLAS,
-    SF_LAW_TURNS,
-    SF_LAW_SYSTEMS
-} sf_law_system;
+/* F = F_A = 0; F = F_Omega = 0, or where the level of an excitation by inertia is stationary; F_A = F_AA = 0; F_A = 0
+ * where the level is stationary; F_A = F_AOmega = 0 */
+typedef enum { SF_LAW_FOLDS, SF_LAW_PEAKS, SF_LAW_CUSPS, SF_LAW_ISOLAS, SF_LAW_TURNS, SF_LAW_SYSTEMS } sf_law_system;
 
 /* Omega, or under an excitation by inertia 1/Omega: w; R, or R/Omega^2 */
 typedef struct {

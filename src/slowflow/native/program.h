@@ -43,6 +43,7 @@ struct sf_program {
 
 /* ---- one number at a time */
 
+/* clang-format off */
 /* What pairs have, and intervals, each with its value at a and b. */
 #define SF_OPERATIONS_IN_BOTH(OPERATION, prefix)                                                                       \
     OPERATION(ADD, prefix##add(a, b)) OPERATION(SUB, prefix##sub(a, b)) OPERATION(MUL, prefix##mul(a, b))              \
@@ -57,6 +58,8 @@ struct sf_program {
     OPERATION(TIMES, sfi_times(a.lo, b)) OPERATION(WITHIN, sfi_within(a, b.lo)) OPERATION(ROOT, sfi_root(a))           \
     OPERATION(POWER, sfi_power(a, b))
 
+/* clang-format on */
+
 SF_ARITHMETIC(sf_in_pairs, SF_OPERATIONS_IN_PAIRS)
 SF_ARITHMETIC(sf_on_intervals, SF_OPERATIONS_ON_INTERVALS)
 
@@ -65,8 +68,7 @@ SF_ARITHMETIC(sf_on_intervals, SF_OPERATIONS_ON_INTERVALS)
         *result = (value);                                                                                             \
         break;
 #define SF_RUN_OF(name, number, OPERATIONS)                                                                            \
-    static SF_FLAT void name(const sf_straight *of, number *x)                                                         \
-    {                                                                                                                  \
+    static SF_FLAT void name(const sf_straight *of, number *x) {                                                       \
         const sf_instruction *at = of->code, *const end = at + of->length;                                             \
         for (; at < end; at++) {                                                                                       \
             number *const result = x + at->result;                                                                     \
@@ -86,13 +88,12 @@ SF_RUN_OF(sf_run_on_intervals, sf_interval, SF_OPERATIONS_ON_INTERVALS)
 
 /* Constants of pairs and intervals. */
 static inline void sf_fill_both(const sf_straight *of, void *x) {
-    memcpy((double(*)[2])x + of->arguments, of->constant, (size_t)of->constants * sizeof *of->constant);
+    memcpy((double (*)[2])x + of->arguments, of->constant, (size_t)of->constants * sizeof *of->constant);
 }
 
 /* What C has no generic functions for: the number of the branch that holds at some arguments, and the outputs there. */
 #define SF_FUNCTION_OF(number, branch_name, at_name, fill, run, compare)                                               \
-    static inline int branch_name(const sf_function *of, int passed, const number *arguments)                          \
-    {                                                                                                                  \
+    static inline int branch_name(const sf_function *of, int passed, const number *arguments) {                        \
         number x[SF_MOST_REGISTERS];                                                                                   \
         const sf_straight *sides = &of->sides;                                                                         \
         int i, j, side = 0, holds = 0;                                                                                 \
@@ -109,8 +110,7 @@ static inline void sf_fill_both(const sf_straight *of, void *x) {
         }                                                                                                              \
         return i;                                                                                                      \
     }                                                                                                                  \
-    static inline void at_name(const sf_function *of, int passed, const number *arguments, number *out)                \
-    {                                                                                                                  \
+    static inline void at_name(const sf_function *of, int passed, const number *arguments, number *out) {              \
         number x[SF_MOST_REGISTERS];                                                                                   \
         const sf_straight *here = &of->branch[branch_name(of, passed, arguments)];                                     \
         int i;                                                                                                         \
@@ -139,8 +139,7 @@ typedef struct {
 /* One line at n <= SF_LANES places: of the arguments the first vary, argument i at place k being at[i][k]; the others
  * are p. Output i of place k goes to out[i*apart + k*step]. */
 static inline void sf_abreast(sf_lanes *lanes, const sf_straight *of, int varying, int n, const double *const *at,
-                              const double *p, double *out, ptrdiff_t apart, ptrdiff_t step)
-{
+                              const double *p, double *out, ptrdiff_t apart, ptrdiff_t step) {
     for (int i = 0; i < varying; i++)
         for (int k = 0; k < SF_LANES; k++)
             lanes->x[i * SF_LANES + k] = at[i][k < n ? k : 0];
@@ -160,9 +159,8 @@ static inline void sf_abreast(sf_lanes *lanes, const sf_straight *of, int varyin
 }
 
 /* A function of A and the parameters at n amplitudes; output k at amplitude i goes to out[k*n + i]. */
-static inline void sf_at_amplitudes(const sf_function *of, int parameters, ptrdiff_t n, const double *A, const double *p,
-                            double *out)
-{
+static inline void sf_at_amplitudes(const sf_function *of, int parameters, ptrdiff_t n, const double *A,
+                                    const double *p, double *out) {
     double arguments[1 + SF_MOST_PARAMETERS];
     sf_lanes lanes;
     ptrdiff_t end;
@@ -188,15 +186,15 @@ static inline void sf_at_amplitudes(const sf_function *of, int parameters, ptrdi
 
 /* ---- the record's functions */
 
-static int sf_program_parameters_of(const sf_mechanism *self, const double *design, double *p)
-{
+static int sf_program_parameters_of(const sf_mechanism *self, const double *design, double *p) {
     const sf_program *of = self->program;
     for (int i = 0; i < of->conditions; i++) {
         const sf_condition *on = &of->condition[i];
         const double value = design[on->place], bound = on->bound;
-        if (!(on->relation == 0 ? value > bound : on->relation == 1 ? value >= bound : on->relation == 2
-                                      ? value < bound
-                                      : value <= bound))
+        if (!(on->relation == 0   ? value > bound
+              : on->relation == 1 ? value >= bound
+              : on->relation == 2 ? value < bound
+                                  : value <= bound))
             return 0;
     }
     sf_at(&of->coefficients, -1, design, p);
@@ -214,8 +212,7 @@ SF_PROGRAM_OF(sf_program_ends_within, sf_interval, sf_at_on_intervals, ends_with
 #undef SF_PROGRAM_OF
 
 /* An average by quadrature at one amplitude: the first `count` integrals, and what closes them. */
-static void sf_program_closed(const sf_mechanism *self, int which, int count, double A, const double *p, double *out)
-{
+static void sf_program_closed(const sf_mechanism *self, int which, int count, double A, const double *p, double *out) {
     const sf_program *of = self->program;
     double arguments[1 + SF_MOST_SUMS + SF_MOST_PARAMETERS] = {A}, ends[SF_MOST_BREAKS] = {0};
     const int width = of->sums[which].width;
@@ -227,8 +224,7 @@ static void sf_program_closed(const sf_mechanism *self, int which, int count, do
 
 /* The first outputs of an average: by a quadrature from so many integrals, or as it is printed in a function of A. */
 static void sf_program_average(const sf_mechanism *self, int which, int count, const sf_function *printed, int outputs,
-                               ptrdiff_t n, const double *A, const double *p, double *out)
-{
+                               ptrdiff_t n, const double *A, const double *p, double *out) {
     double at[3 * SF_MOST_PARAMETERS + 8];
     if (!self->program->summed) {
         sf_at_amplitudes(printed, self->parameters, n, A, p, out);
@@ -242,8 +238,7 @@ static void sf_program_average(const sf_mechanism *self, int which, int count, c
 }
 
 #define SF_PROGRAM_AVERAGE(name, which, count, printed, outputs)                                                       \
-    static void name(const sf_mechanism *self, ptrdiff_t n, const double *A, const double *p, double *out)             \
-    {                                                                                                                  \
+    static void name(const sf_mechanism *self, ptrdiff_t n, const double *A, const double *p, double *out) {           \
         const sf_program *of = self->program;                                                                          \
         const sf_quarter *sums = &of->sums[which];                                                                     \
         sf_program_average(self, which, count, &of->printed, outputs, n, A, p, out);                                   \
@@ -254,16 +249,15 @@ SF_PROGRAM_AVERAGE(sf_program_averaged_2, SF_AVERAGED, sums->contacts > 0 ? sums
 SF_PROGRAM_AVERAGE(sf_program_harmonics, SF_HIGHER, sums->width, averages[SF_HIGHER], 8)
 #undef SF_PROGRAM_AVERAGE
 
-static double sf_program_intercept(const sf_mechanism *self, double A, const double *p)
-{
+static double sf_program_intercept(const sf_mechanism *self, double A, const double *p) {
     const sf_program *of = self->program;
     double out;
-    sf_program_average(self, SF_INTERCEPT, of->sums[SF_INTERCEPT].width, &of->averages[SF_INTERCEPT], 1, 1, &A, p, &out);
+    sf_program_average(self, SF_INTERCEPT, of->sums[SF_INTERCEPT].width, &of->averages[SF_INTERCEPT], 1, 1, &A, p,
+                       &out);
     return out;
 }
 
-static void sf_program_by_parameter(const sf_mechanism *self, double A, const double *h, const double *p, double *out)
-{
+static void sf_program_by_parameter(const sf_mechanism *self, double A, const double *h, const double *p, double *out) {
     const sf_program *of = self->program;
     double arguments[4 + SF_MOST_PARAMETERS] = {A, h[0], h[1], h[2]};
     if (of->summed) {
@@ -274,8 +268,7 @@ static void sf_program_by_parameter(const sf_mechanism *self, double A, const do
     sf_at(&of->averages[SF_BY_PARAMETER], -1, arguments, out);
 }
 
-static void sf_program_bent(const sf_mechanism *self, sf_interval A, const double *p, sf_interval *out)
-{
+static void sf_program_bent(const sf_mechanism *self, sf_interval A, const double *p, sf_interval *out) {
     double ends[SF_MOST_BREAKS] = {0};
     sf_at(&self->program->ends, -1, p, ends);
     sf_enclose(&self->program->bent, ends, A, p, out);
@@ -283,16 +276,14 @@ static void sf_program_bent(const sf_mechanism *self, sf_interval A, const doubl
 
 /* In pairs, and on intervals: parameters of a design, and all averages where so many breakpoints are passed. */
 #define SF_PROGRAM_EXACTLY(number, point, at, parameters_name, of_design, averaged_name, averages)                     \
-    static void parameters_name(const sf_mechanism *self, const double *design, number *p)                             \
-    {                                                                                                                  \
+    static void parameters_name(const sf_mechanism *self, const double *design, number *p) {                           \
         number inputs[SF_MOST_DESIGN];                                                                                 \
         for (int i = 0; i < self->design_size; i++)                                                                    \
             inputs[i] = point(design[i]);                                                                              \
         at(&self->program->of_design, -1, inputs, p);                                                                  \
     }                                                                                                                  \
     static void averaged_name(const sf_mechanism *self, int passed, number A, number beyond, const number *p,          \
-                              number *out)                                                                             \
-    {                                                                                                                  \
+                              number *out) {                                                                           \
         number arguments[2 + SF_MOST_PARAMETERS + SF_MOST_BREAKS] = {A, beyond};                                       \
         const int inputs = self->breakpoints > 0 ? 2 : 1;                                                              \
         memcpy(arguments + inputs, p, (size_t)(self->parameters + self->breakpoints) * sizeof *p);                     \
@@ -305,8 +296,7 @@ SF_PROGRAM_EXACTLY(sf_interval, sfi_point, sf_at_on_intervals, sf_program_parame
 #undef SF_PROGRAM_EXACTLY
 
 static void sf_program_averaged_in_pairs(const sf_mechanism *self, int passed, int count, sf_pair A, sf_pair beyond,
-                                         const sf_pair *p, sf_pair *out)
-{
+                                         const sf_pair *p, sf_pair *out) {
     sf_pair all[5];
     sf_program_all_in_pairs(self, passed, A, beyond, p, all);
     memcpy(out, all, (count <= 2 ? 2 : 4) * sizeof *out);
@@ -314,8 +304,7 @@ static void sf_program_averaged_in_pairs(const sf_mechanism *self, int passed, i
 
 /* Parameters and jumps in pairs of one of several designs. */
 static inline void sf_program_design(const sf_mechanism *self, ptrdiff_t i, ptrdiff_t apart, const double *design,
-                                     sf_pair *p)
-{
+                                     sf_pair *p) {
     double one[SF_MOST_DESIGN];
     for (int k = 0; k < self->design_size; k++)
         one[k] = design[k * apart + i];
@@ -323,8 +312,7 @@ static inline void sf_program_design(const sf_mechanism *self, ptrdiff_t i, ptrd
 }
 
 static void sf_program_many_in_pairs(const sf_mechanism *self, ptrdiff_t n, ptrdiff_t apart, const double *design,
-                                     double *out)
-{
+                                     double *out) {
     sf_pair p[SF_MOST_PARAMETERS + SF_MOST_BREAKS];
     for (ptrdiff_t i = 0; i < n; i++) {
         sf_program_design(self, i, apart, design, p);
@@ -334,8 +322,7 @@ static void sf_program_many_in_pairs(const sf_mechanism *self, ptrdiff_t n, ptrd
 }
 
 static void sf_program_on_first_end_in_pairs(const sf_mechanism *self, ptrdiff_t n, ptrdiff_t apart,
-                                             const double *design, double *out)
-{
+                                             const double *design, double *out) {
     sf_pair p[SF_MOST_PARAMETERS + SF_MOST_BREAKS], b[SF_MOST_BREAKS], h[2];
     for (ptrdiff_t i = 0; i < n; i++) {
         sf_program_design(self, i, apart, design, p);
@@ -348,8 +335,7 @@ static void sf_program_on_first_end_in_pairs(const sf_mechanism *self, ptrdiff_t
 
 /* All integrands of a piece at the nodes of a panel. */
 static void sf_program_integrands(const sf_quarter *of, int piece, int nodes, const double *beyond, const double *sine,
-                                  const double *cosine, const double *p, double *out)
-{
+                                  const double *cosine, const double *p, double *out) {
     const sf_function *integrands = (const sf_function *)of->programs + piece;
     sf_lanes lanes;
     lanes.holds = NULL;
@@ -360,16 +346,14 @@ static void sf_program_integrands(const sf_quarter *of, int piece, int nodes, co
     }
 }
 
-static void sf_program_enclosed(const sf_bent *of, int number, const sf_interval *arguments, sf_interval *out)
-{
+static void sf_program_enclosed(const sf_bent *of, int number, const sf_interval *arguments, sf_interval *out) {
     sf_at_on_intervals((const sf_function *)of->programs + number, -1, arguments, out);
 }
 
 /* ---- reading */
 
 /* How reading ended; what was allocated stays where all is well. */
-static inline sf_status sf_finished(sf_reader *from)
-{
+static inline sf_status sf_finished(sf_reader *from) {
     if (from->status == SF_READ)
         return SF_OK;
     sf_leave_room(from);
@@ -378,12 +362,12 @@ static inline sf_status sf_finished(sf_reader *from)
 
 /* pieces: how many numbers of breakpoints passed there are */
 static inline void sf_read_function(sf_reader *from, sf_arithmetic has, int pieces, int arguments, int outputs,
-                                    sf_function *out)
-{
+                                    sf_function *out) {
     int *passed, *guards, sides = 0;
     sf_straight *branch;
     out->branches = sf_word(from, 1, (int)((from->last_word - from->word) / 2));
-    passed = sf_room_for(from, out->branches, sizeof *passed), guards = sf_room_for(from, out->branches, sizeof *guards);
+    passed = sf_room_for(from, out->branches, sizeof *passed);
+    guards = sf_room_for(from, out->branches, sizeof *guards);
     branch = sf_room_for(from, out->branches, sizeof *branch);
     if (from->status != SF_READ)
         return;
@@ -417,7 +401,7 @@ static inline void sf_read_sums(sf_reader *from, const sf_mechanism *record, sf_
     const int outputs[] = {4, 1, 8, 3 * record->parameters};
     const int pieces = record->breakpoints + 1, nodes = sf_word(from, 1, SF_NODES / 2);
     int contacts, *graded;
-    double(*rule)[2] = sf_room_for(from, nodes, sizeof *rule);
+    double (*rule)[2] = sf_room_for(from, nodes, sizeof *rule);
     for (int i = 0; i < nodes && rule != NULL; i++)
         rule[i][0] = sf_finite(from), rule[i][1] = sf_finite(from);
     const int *begins = sf_read_begins(from, record->breakpoints, &contacts);

@@ -106,8 +106,7 @@ static sf_checked sf_check_at(const sf_proving *proving, double x) {
 }
 
 static void sf_range_between(const sf_proving *proving, const sf_checked *a, const sf_checked *b, int open,
-                             sf_cell *cell, sf_range range[2])
-{
+                             sf_cell *cell, sf_range range[2]) {
     const sf_interval A = sf_beyond(proving->inputs, proving->piece, sfi_of(a->known.A, b->known.A));
     const sf_task *task = &proving->task;
     range[0].where = range[1].where = SF_NOWHERE, range[0].edge = range[1].edge = 0;
@@ -165,8 +164,7 @@ static int sf_crossing(const sf_proving *proving, sf_checked *a, sf_checked *b, 
 /* The one zero between two amplitudes, made narrow: by Newton's method on intervals, until that gains no more. The
  * first step, from where cells are cut, which may be next to an end, need not gain. */
 static void sf_narrow(const sf_proving *proving, sf_checked *a, sf_checked *b, int c, sf_range range,
-                      sf_interval *beyond, sf_cell *cell)
-{
+                      sf_interval *beyond, sf_cell *cell) {
     *beyond = sfi_of(a->known.A, b->known.A);
     for (int i = 0; i < SF_MOST_STEPS; i++) {
         const double low = beyond->lo, high = beyond->hi, x = i == 0 ? sf_amid(0, low, high) : 0.5 * low + 0.5 * high;
@@ -192,8 +190,7 @@ static void sf_narrow(const sf_proving *proving, sf_checked *a, sf_checked *b, i
 }
 
 static void sf_add_proven(const sf_proving *proving, const sf_checked *a, const sf_checked *b, int c,
-                          const sf_range *range, const sf_cell *cell, int rising)
-{
+                          const sf_range *range, const sf_cell *cell, int rising) {
     sf_proof *out = proving->out;
     sf_checked low = *a, high = *b;
     if (out->n == SF_MOST_ZEROS) {

@@ -1,11 +1,11 @@
 /* Integrals over the quarter cycle by Gauss's rule, piece by piece. Takes integrands of a generated header; returns
  * sums.
  *
- * A piece that ends at |u| = b ends at t = asin(b/A), 0 <= t <= pi/2. Its part of the quarter is divided into 1, 2, 4, ...
- * equal panels until twice as many change no sum by more than SF_AGREED of the integral of its size. As halving the
- * panels divides a rule's error by 2^12 at least, what is left then is below 2^-58 of that integral: less than rounding.
- * Where the force is a difference rounding changes more than that; it may change as much as some roundings of A and of
- * the parameters do.
+ * A piece that ends at |u| = b ends at t = asin(b/A), 0 <= t <= pi/2. Its part of the quarter is divided into 1, 2, 4,
+ * ... equal panels until twice as many change no sum by more than SF_AGREED of the integral of its size. As halving the
+ * panels divides a rule's error by 2^12 at least, what is left then is below 2^-58 of that integral: less than
+ * rounding. Where the force is a difference rounding changes more than that; it may change as much as some roundings of
+ * A and of the parameters do.
  */
 #pragma once
 
@@ -28,9 +28,9 @@ typedef void (*sf_interpreted)(const sf_quarter *of, int piece, int nodes, const
                                const double *cosine, const double *p, double *out);
 
 /* width, parameters: how many integrands and parameters; integrands: of each piece, then of each contact, which goes on
- * from where it begins up to A, or what interprets `programs`, as many; graded: of each of these the power of what is divided into panels that its angle, from
- * where it begins, is; rule: positive nodes on [-1, 1], which stand for their negatives too, and weights, so many of
- * them; begins: the breakpoint at which each contact begins */
+ * from where it begins up to A, or what interprets `programs`, as many; graded: of each of these the power of what is
+ * divided into panels that its angle, from where it begins, is; rule: positive nodes on [-1, 1], which stand for their
+ * negatives too, and weights, so many of them; begins: the breakpoint at which each contact begins */
 struct sf_quarter {
     int pieces, width, parameters;
     const sf_integrand *integrands;
@@ -101,8 +101,7 @@ static inline int sf_is_apart(const sf_quarter *of, int k, double span, double s
 /* Whether sums differ from those by half as many panels by no more than roundings of A and of the parameters make of
  * them. */
 static inline int sf_varies_by_rounding(const sf_quarter *of, int count, const sf_part *on, double A, const double *p,
-                                       int panels, const double *sums, const double *before, const double *sizes)
-{
+                                        int panels, const double *sums, const double *before, const double *sizes) {
     double there[SF_MOST_SUMS], sizes_there[SF_MOST_SUMS], changes[SF_MOST_SUMS], shifted[SF_MOST_SUMS];
     for (int k = 0; k < count; k++)
         changes[k] = 0;
@@ -123,8 +122,7 @@ static inline int sf_varies_by_rounding(const sf_quarter *of, int count, const s
 
 /* One piece's integrals; 0 where they do not settle. An infinite sum stays so. */
 static inline int sf_settled_part(const sf_quarter *of, int count, const sf_part *on, double A, const double *p,
-                                  double *sums)
-{
+                                  double *sums) {
     double before[SF_MOST_SUMS], sizes[SF_MOST_SUMS];
     for (int k = 0; k < count; k++)
         before[k] = 0;
@@ -144,8 +142,7 @@ static inline int sf_settled_part(const sf_quarter *of, int count, const sf_part
 
 /* The sums over the pieces; 0 where one does not settle. */
 static inline int sf_sums_at(const sf_quarter *of, int count, double A, const double *p, const double *ends,
-                             double *sums)
-{
+                             double *sums) {
     double of_part[SF_MOST_SUMS], low = 0;
     for (int k = 0; k < count; k++)
         sums[k] = 0;
@@ -184,8 +181,7 @@ static inline int sf_sums_at(const sf_quarter *of, int count, double A, const do
 /* The first `count` integrals, at A >= 0; NaN where one does not settle: the force is all but singular
  * there. */
 static inline void sf_over_quarter(const sf_quarter *of, int count, double A, const double *p, const double *ends,
-                                   double *sums)
-{
+                                   double *sums) {
     double nearby[SF_MOST_SUMS];
     int lost = 0, settled = sf_sums_at(of, count, A, p, ends, sums);
     /* a slope at rest that is a quotient of zeros, as of a broken power, is what it is next to it */

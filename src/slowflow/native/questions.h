@@ -19,8 +19,7 @@ static void *sf_reserve(sf_query *q, long n, size_t size) {
 
 /* ==== Averaging =================================================================================================== */
 
-static void sf_put_folds(sf_query *q, sf_status status, const sf_folds *found, int undecided)
-{
+static void sf_put_folds(sf_query *q, sf_status status, const sf_folds *found, int undecided) {
     const sf_fold *at = found->at;
     const long n = status == SF_OK ? found->n : 0;
     sf_put_columns(q, SF_NUMBERS, n, sizeof *at, (const void *[]){&at->Omega, &at->A, NULL});
@@ -28,56 +27,48 @@ static void sf_put_folds(sf_query *q, sf_status status, const sf_folds *found, i
     sf_put(q, SF_FLAG, undecided);
 }
 
-static void sf_answer_folds(sf_query *q)
-{
+static void sf_answer_folds(sf_query *q) {
     sf_folds *found = &q->room->work.folds;
     const sf_status status = sf_settled_folds(q->model, q->inputs, q->number[0], q->room, found);
     sf_put(q, SF_INTEGER, status), sf_put_folds(q, status, found, found->undecided);
 }
 
 /* at_rest: whether folds that end at Omega = 0 are below it */
-static void sf_put_onset(sf_query *q, sf_status status, const sf_onset *found, int at_rest)
-{
+static void sf_put_onset(sf_query *q, sf_status status, const sf_onset *found, int at_rest) {
     sf_put(q, SF_INTEGER, status);
     sf_put(q, SF_NUMBER, found->F_SN), sf_put(q, SF_NUMBER, found->Omega), sf_put(q, SF_NUMBER, found->A);
     sf_put(q, SF_INTEGER, found->kind), sf_put(q, SF_FLAG, at_rest), sf_put(q, SF_NUMBER, found->rest);
 }
 
-static void sf_answer_onset(sf_query *q)
-{
+static void sf_answer_onset(sf_query *q) {
     sf_onset found;
     const sf_status status = sf_settled_onset(q->model, q->exactly, &q->room->work, &found);
     sf_put_onset(q, status, &found, status != SF_UNBOUNDED && sf_is_rest_below(&found));
 }
 
-static void sf_put_detachment(sf_query *q, sf_status status, double F_cr, double Omega_cr, double u_cr)
-{
+static void sf_put_detachment(sf_query *q, sf_status status, double F_cr, double Omega_cr, double u_cr) {
     sf_put(q, SF_INTEGER, status);
     sf_put(q, SF_NUMBER, F_cr), sf_put(q, SF_NUMBER, Omega_cr), sf_put(q, SF_NUMBER, u_cr);
 }
 
-static void sf_answer_detachment(sf_query *q)
-{
+static void sf_answer_detachment(sf_query *q) {
     double F_cr, Omega_cr, u_cr;
     const sf_status status = sf_settled_detachment(q->model, q->exactly, &F_cr, &Omega_cr, &u_cr);
     sf_put_detachment(q, status, F_cr, Omega_cr, u_cr);
 }
 
-static void sf_put_peak(sf_query *q, sf_status status, double A, double Omega)
-{
+static void sf_put_peak(sf_query *q, sf_status status, double A, double Omega) {
     sf_put(q, SF_INTEGER, status), sf_put(q, SF_NUMBER, A), sf_put(q, SF_NUMBER, Omega);
 }
 
-static void sf_answer_peak(sf_query *q)
-{
+static void sf_answer_peak(sf_query *q) {
     double A, Omega;
     const sf_status status =
         sf_settled_peak(q->model, q->exactly, q->number[0], q->number[1], &q->room->work, &A, &Omega);
     sf_put_peak(q, status, A, Omega);
 }
 
-static void sf_answer_bound(sf_query *q)
-{
+static void sf_answer_bound(sf_query *q) {
     double A_max;
     sf_put(q, SF_INTEGER, sf_range_at(q->model, q->number[0], &A_max));
     sf_put(q, SF_NUMBER, A_max);
@@ -87,13 +78,11 @@ static void sf_answer_cut(sf_query *q) { sf_put(q, SF_NUMBER, sf_undamped_cut(q-
 
 static void sf_answer_spring(sf_query *q) { sf_put_column(q, SF_WORDS, 1, sf_spring(q->model), 0); }
 
-static void sf_answer_closeness(sf_query *q)
-{
+static void sf_answer_closeness(sf_query *q) {
     sf_put(q, SF_FLAG, sf_are_events_close(q->model, q->number[0], q->number[1], &q->room->work));
 }
 
-static void sf_answer_locus(sf_query *q)
-{
+static void sf_answer_locus(sf_query *q) {
     sf_work *work = &q->room->work;
     const long samples = (long)q->number[1];
     const sf_status status = sf_fold_locus(q->model, q->number[0], 1, work);
@@ -110,8 +99,7 @@ static void sf_answer_locus(sf_query *q)
     sf_put_column(q, SF_LONG_INTEGERS, n, branch, sizeof *branch);
 }
 
-static void sf_answer_extrema(sf_query *q)
-{
+static void sf_answer_extrema(sf_query *q) {
     const sf_zeros *zeros = &q->room->work.extrema;
     const sf_status status = sf_fold_locus(q->model, q->number[0], 0, &q->room->work);
     sf_extremum *at = sf_reserve(q, zeros->n, sizeof *at);
@@ -119,7 +107,8 @@ static void sf_answer_extrema(sf_query *q)
     if (at == NULL)
         return;
     for (int i = 0; i < zeros->n; i++)
-        if (!(zeros->at[i].question == SF_UNDAMPED && zeros->at[i].channel == 1)) /* there it only touches the backbone */
+        if (!(zeros->at[i].question == SF_UNDAMPED &&
+              zeros->at[i].channel == 1)) /* there it only touches the backbone */
             at[n++] = sf_settled_extremum(q->model, q->exactly, &zeros->at[i]);
     sf_put(q, SF_INTEGER, status);
     sf_put_columns(q, SF_NUMBERS, n, sizeof *at, (const void *[]){&at->F_0, &at->Omega, &at->A, NULL});
@@ -128,8 +117,7 @@ static void sf_answer_extrema(sf_query *q)
 }
 
 /* The points of a response curve, so many; 0 where there is no memory. */
-static int sf_reserve_curve(sf_query *q, sf_status *status, long *n, sf_points *at)
-{
+static int sf_reserve_curve(sf_query *q, sf_status *status, long *n, sf_points *at) {
     const double F_0 = q->number[0], samples = q->number[1], low = q->number[2], high = q->number[3];
     sf_skeleton *shown = &q->room->work.shown;
     sf_model model = *q->model;
@@ -147,16 +135,14 @@ static int sf_reserve_curve(sf_query *q, sf_status *status, long *n, sf_points *
     return 1;
 }
 
-static void sf_put_curve(sf_query *q, sf_status status, long n, const sf_points *at)
-{
+static void sf_put_curve(sf_query *q, sf_status status, long n, const sf_points *at) {
     sf_put(q, SF_INTEGER, status);
     sf_put_columns(q, SF_NUMBERS, n, sizeof *at->Omega, (const void *[]){at->Omega, at->A, NULL});
     sf_put_column(q, SF_BYTE_FLAGS, n, at->stable, sizeof *at->stable);
     sf_put_column(q, SF_LONG_INTEGERS, n, at->branch, sizeof *at->branch);
 }
 
-static void sf_answer_response(sf_query *q)
-{
+static void sf_answer_response(sf_query *q) {
     const sf_skeleton *shown = &q->room->work.shown;
     sf_status status;
     sf_points at;
@@ -169,8 +155,7 @@ static void sf_answer_response(sf_query *q)
 }
 
 /* The same with whether the branch of each point is closed, and with the folds. */
-static void sf_answer_response_and_folds(sf_query *q)
-{
+static void sf_answer_response_and_folds(sf_query *q) {
     sf_status status;
     sf_points at;
     long n;
@@ -189,8 +174,7 @@ static void sf_answer_response_and_folds(sf_query *q)
 static int sf_has_states(double Omega) { return Omega > 0 && Omega <= SF_HIGHEST_OMEGA; }
 
 /* Every state at one frequency. */
-static void sf_answer_states_at(sf_query *q)
-{
+static void sf_answer_states_at(sf_query *q) {
     sf_room *room = q->room;
     sf_model model = *q->model;
     int n, undecided;
@@ -212,8 +196,7 @@ typedef struct {
 } sf_state;
 
 /* Every state at the frequencies of a list, in their order, and those of these at which their number is undecided. */
-static void sf_answer_states_of(sf_query *q)
-{
+static void sf_answer_states_of(sf_query *q) {
     /* frequencies: some milliseconds; and as how many of them a proof counts */
     enum { BETWEEN_SIGNALS = 1 << 14, PROOF = 100 };
     sf_room *room = q->room;
@@ -256,8 +239,7 @@ static void sf_answer_states_of(sf_query *q)
 
 /* ==== Proofs ====================================================================================================== */
 
-static void sf_put_certificate(sf_query *q, sf_status status)
-{
+static void sf_put_certificate(sf_query *q, sf_status status) {
     const sf_certificate *found = &q->room->found;
     const sf_enclosure *at = found->at;
     const long n = status == SF_OK ? found->n : 0, n_undecided = status == SF_OK ? found->n_undecided : 0;
@@ -269,18 +251,15 @@ static void sf_put_certificate(sf_query *q, sf_status status)
     sf_put(q, SF_NUMBER, found->A_max), sf_put(q, SF_FLAG, found->bounded), sf_put(q, SF_FLAG, !found->full);
 }
 
-static void sf_answer_certified_folds(sf_query *q)
-{
+static void sf_answer_certified_folds(sf_query *q) {
     sf_put_certificate(q, sf_certify_folds(q->model, q->inputs, q->number[0], q->room));
 }
 
-static void sf_answer_certified_states(sf_query *q)
-{
+static void sf_answer_certified_states(sf_query *q) {
     sf_put_certificate(q, sf_certify_states(q->model, q->inputs, q->number[0], q->number[1], q->room));
 }
 
-static void sf_answer_certified_onset(sf_query *q)
-{
+static void sf_answer_certified_onset(sf_query *q) {
     sf_proved_onset *found = sf_reserve(q, 1, sizeof *found);
     if (found == NULL)
         return;
@@ -290,8 +269,7 @@ static void sf_answer_certified_onset(sf_query *q)
     sf_put(q, SF_INTEGER, found->kind), sf_put(q, SF_FLAG, found->proved);
 }
 
-static void sf_answer_certified_detachment(sf_query *q)
-{
+static void sf_answer_certified_detachment(sf_query *q) {
     sf_interval *found = sf_reserve(q, 2, sizeof *found);
     if (found == NULL)
         return;
@@ -301,43 +279,37 @@ static void sf_answer_certified_detachment(sf_query *q)
 }
 
 /* Of how many only, and whether it is proved that these are all. */
-static void sf_put_number_proved(sf_query *q, sf_status status)
-{
+static void sf_put_number_proved(sf_query *q, sf_status status) {
     const sf_certificate *found = &q->room->found;
     sf_put(q, SF_INTEGER, status);
     sf_put(q, SF_INTEGER, status == SF_OK ? found->n : 0);
     sf_put(q, SF_FLAG, status == SF_OK ? sf_is_proved(found) : status == SF_STICKS && found->bounded);
 }
 
-static void sf_answer_proved_folds(sf_query *q)
-{
+static void sf_answer_proved_folds(sf_query *q) {
     sf_put_number_proved(q, sf_certify_folds(q->model, q->inputs, q->number[0], q->room));
 }
 
-static void sf_answer_proved_states(sf_query *q)
-{
+static void sf_answer_proved_states(sf_query *q) {
     if (q->number[1] > 0 && q->number[1] < HUGE_VAL)
         sf_put_number_proved(q, sf_certify_states(q->model, q->inputs, q->number[0], q->number[1], q->room));
 }
 
 /* ==== The second approximation ==================================================================================== */
 
-static void sf_put_left_out(sf_query *q, const sf_left_out *left)
-{
+static void sf_put_left_out(sf_query *q, const sf_left_out *left) {
     sf_put(q, SF_INTEGER, (double)left->lost), sf_put(q, SF_INTEGER, (double)left->of);
     sf_put(q, SF_NUMBER, left->low), sf_put(q, SF_NUMBER, left->high);
 }
 
-static void sf_put_second_states(sf_query *q, long n, const sf_second_point *at)
-{
+static void sf_put_second_states(sf_query *q, long n, const sf_second_point *at) {
     sf_put_columns(q, SF_NUMBERS, n, sizeof *at,
                    (const void *[]){&at->Omega, &at->at.u_max, &at->at.A_1, &at->at.phi, NULL});
     sf_put_column(q, SF_POSITIVE, n, &at->at.F_A, sizeof *at);
 }
 
 /* Keeps a curve until its items are read; where there is none, one without points. */
-static const sf_second_curve *sf_keep_curve(sf_query *q, sf_second_curve *curve)
-{
+static const sf_second_curve *sf_keep_curve(sf_query *q, sf_second_curve *curve) {
     static sf_second_point nowhere;
     static const sf_second_curve none = {.point = &nowhere};
     if (curve == NULL)
@@ -346,12 +318,11 @@ static const sf_second_curve *sf_keep_curve(sf_query *q, sf_second_curve *curve)
     return q->reserve[q->reserved++] = curve;
 }
 
-static void sf_answer_second_curve(sf_query *q)
-{
+static void sf_answer_second_curve(sf_query *q) {
     sf_status status;
-    const sf_second_curve *curve = sf_keep_curve(
-        q, sf_second_response(q->model, q->inputs, q->number[0], (sf_wanted)q->number[1], q->number[2], q->number[3],
-                              q->number[4], q->room, &status));
+    const sf_second_curve *curve =
+        sf_keep_curve(q, sf_second_response(q->model, q->inputs, q->number[0], (sf_wanted)q->number[1], q->number[2],
+                                            q->number[3], q->number[4], q->room, &status));
     sf_put(q, SF_INTEGER, status);
     sf_put_second_states(q, curve->n, curve->point);
     sf_put_column(q, SF_NUMBERS, curve->n, &curve->point->A, sizeof *curve->point);
@@ -361,21 +332,19 @@ static void sf_answer_second_curve(sf_query *q)
 }
 
 /* Whether the spring's harmonics are known for this model. */
-static int sf_has_second(const sf_model *model)
-{
+static int sf_has_second(const sf_model *model) {
     return model->mechanism->harmonics != NULL &&
            !(model->breaks > 0 && model->b[model->breaks - 1] > model->mechanism->harmonics_up_to);
 }
 
-static void sf_answer_second_folds(sf_query *q)
-{
+static void sf_answer_second_folds(sf_query *q) {
     sf_second_folds *found = sf_has_second(q->model) ? sf_reserve(q, 1, sizeof *found) : NULL;
     if (found == NULL)
         return;
     const sf_second_fold *at = found->at;
     q->room->undecided = 0;
-    sf_put(q, SF_INTEGER, sf_second_saddle_nodes(q->model, q->inputs, q->number[0], q->number[1], q->number[2], q->room,
-                                                 found));
+    sf_put(q, SF_INTEGER,
+           sf_second_saddle_nodes(q->model, q->inputs, q->number[0], q->number[1], q->number[2], q->room, found));
     sf_put_columns(q, SF_NUMBERS, found->n, sizeof *at, (const void *[]){&at->Omega, &at->u_max, NULL});
     sf_put_columns(q, SF_FLAGS, found->n, sizeof *at, (const void *[]){&at->up, &at->corner, NULL});
     sf_put(q, SF_FLAG, found->lost > 0);
@@ -384,8 +353,7 @@ static void sf_answer_second_folds(sf_query *q)
     sf_put_left_out(q, &found->left);
 }
 
-static void sf_answer_second_states(sf_query *q)
-{
+static void sf_answer_second_states(sf_query *q) {
     double low = HUGE_VAL, high = 0;
     const sf_second_curve *curve;
     sf_second_point *at;
@@ -393,8 +361,8 @@ static void sf_answer_second_states(sf_query *q)
     long most = 0, n = 0;
     for (long i = 0; i < q->length; i++)
         low = fmin(low, q->values[i]), high = fmax(high, q->values[i]);
-    curve = sf_keep_curve(q, sf_second_around(q->model, q->inputs, q->number[0], SF_EVERY_POINT, low, high, q->room,
-                                              &status));
+    curve = sf_keep_curve(
+        q, sf_second_around(q->model, q->inputs, q->number[0], SF_EVERY_POINT, low, high, q->room, &status));
     for (long i = 0; i < q->length; i++)
         most += sf_most_crossings(curve, q->values[i]);
     at = sf_reserve(q, most, sizeof *at);
@@ -410,12 +378,10 @@ static void sf_answer_second_states(sf_query *q)
 }
 
 /* The highest point about a frequency, and the states at its own. */
-static void sf_answer_second_peak(sf_query *q)
-{
+static void sf_answer_second_peak(sf_query *q) {
     sf_second_curve *about = NULL;
     sf_second_point top = {0}, *at;
-    const sf_status status =
-        sf_second_peak(q->model, q->inputs, q->number[0], q->number[1], q->room, &about, &top);
+    const sf_status status = sf_second_peak(q->model, q->inputs, q->number[0], q->number[1], q->room, &about, &top);
     const sf_second_curve *curve = sf_keep_curve(q, about);
     at = sf_reserve(q, sf_most_crossings(curve, top.Omega), sizeof *at);
     if (at == NULL)
@@ -427,8 +393,7 @@ static void sf_answer_second_peak(sf_query *q)
 }
 
 /* The highest point alone, about averaging's peak. */
-static void sf_answer_second_top(sf_query *q)
-{
+static void sf_answer_second_top(sf_query *q) {
     sf_second_curve *curve = NULL;
     sf_second_point top = {0};
     double A, Omega;
@@ -442,8 +407,7 @@ static void sf_answer_second_top(sf_query *q)
     sf_put_peak(q, status, status == SF_OK ? top.at.u_max : NAN, status == SF_OK ? top.Omega : NAN);
 }
 
-static void sf_answer_second_onset(sf_query *q)
-{
+static void sf_answer_second_onset(sf_query *q) {
     sf_onset first = {q->number[0], q->number[1], q->number[2], SF_CUSP_KIND, HUGE_VAL, 0};
     sf_onset found = {NAN, NAN, NAN, SF_NO_KIND, HUGE_VAL, 0};
     double u_max = NAN;
@@ -458,8 +422,7 @@ static void sf_answer_second_onset(sf_query *q)
     sf_put_onset(q, status, &found, sf_is_rest_below(&first));
 }
 
-static void sf_answer_second_detachment(sf_query *q)
-{
+static void sf_answer_second_detachment(sf_query *q) {
     double *first = q->number, F_cr = NAN, Omega_cr = NAN;
     sf_status status = SF_OK;
     if (!sf_has_second(q->model))
@@ -487,15 +450,15 @@ static const sf_row sf_rows_of_one[] = {
     {"extrema", "A_max -> status, F_0, Omega, A, isola, minimum, saddle, few_digits", 1, 0, 0, sf_answer_extrema},
     {"frequency_response", "F_0, samples, low, high -> status, Omega, A, stable, branch, closed, undecided", 4, 0, 0,
      sf_answer_response},
-    {"steady_states", "F_0, [Omega] -> status, Omega, A, stable, Omega where undecided", 1, 1, 0,
-     sf_answer_states_of},
+    {"steady_states", "F_0, [Omega] -> status, Omega, A, stable, Omega where undecided", 1, 1, 0, sf_answer_states_of},
     {"certify_folds", "F_0 -> status, Omega, A, corner, sign of F_AA, undecided, A_max, bounded, complete", 1, 0, 1,
      sf_answer_certified_folds},
     {"certify_states", "F_0, Omega -> the same, with the sign of F_A", 2, 0, 1, sf_answer_certified_states},
     {"certify_onset", "status, F_SN, Omega, A, kind, whether it is proved", 0, 0, 1, sf_answer_certified_onset},
     {"certify_detachment", "status, F_cr, Omega_cr, u_cr", 0, 0, 1, sf_answer_certified_detachment},
     {"second_curve",
-     "F_0, wanted, samples, low, high -> status, Omega, u_max, A_1, phi, stable, A, part, closed parts; points lost, of, "
+     "F_0, wanted, samples, low, high -> status, Omega, u_max, A_1, phi, stable, A, part, closed parts; points lost, "
+     "of, "
      "from, to",
      5, 0, 0, sf_answer_second_curve},
     {"second_saddle_nodes",

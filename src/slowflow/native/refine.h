@@ -26,8 +26,8 @@ enum { SF_MOST_DOUBLINGS = 32 };
 #define SF_LEVEL_STEP 0x1p-30
 /* a square of this times a rounding is some rounding */
 #define SF_SHARP 0x1p25
-/* by how much the next step may be larger; and where a few last places change slopes by their size, as next to an end of
- * the force where it is singular: there the others still are near */
+/* by how much the next step may be larger; and where a few last places change slopes by their size, as next to an end
+ * of the force where it is singular: there the others still are near */
 #define SF_LARGER 2
 #define SF_LARGER_NEARBY 64
 enum { SF_MOST_SETTLING = 8, SF_MOST_ABOVE = 24 };
@@ -44,8 +44,7 @@ typedef struct {
 typedef enum { SF_VARY_A = 1, SF_VARY_BOTH, SF_VARY_ALL } sf_varied;
 
 static inline void sf_take_step(sf_step step, const sf_exactly *exactly, const sf_exact_sample *at,
-                                const sf_settling *of, double out[4])
-{
+                                const sf_settling *of, double out[4]) {
     step(of->Omega, at->A, of->F_0, exactly->m, exactly->zeta, at->h[0], at->h[1], at->h[2], at->h[3], out);
 }
 
@@ -82,8 +81,7 @@ static inline double sf_size_of_step(const double out[4], sf_varied unknowns, co
 
 /* How far, relatively, Newton's method would move what does not settle; 0 where pairs do not tell. */
 static inline double sf_is_off_by(sf_step step, sf_varied unknowns, int count, const sf_exactly *exactly,
-                                  const sf_model *model, const sf_settling *of)
-{
+                                  const sf_model *model, const sf_settling *of) {
     sf_exact_sample at;
     double out[4];
     if (!sf_exact_at(exactly, model, sf_piece_of(model, of->A.high), of->A, count, NULL, &at))
@@ -95,8 +93,7 @@ static inline double sf_is_off_by(sf_step step, sf_varied unknowns, int count, c
 
 /* Returns whether an answer settled. count, near: as of sf_exact_at */
 static inline int sf_settle_near(sf_step step, sf_varied unknowns, int count, const sf_exactly *exactly,
-                                 const sf_model *model, const sf_sample *near, sf_settling *of)
-{
+                                 const sf_model *model, const sf_sample *near, sf_settling *of) {
     double before = HUGE_VAL;
     const int piece = sf_piece_of(model, of->A.high);
     int last = 0;
@@ -123,7 +120,7 @@ static inline int sf_settle_near(sf_step step, sf_varied unknowns, int count, co
 
 /* The same of numbers, which stay as they are where they do not settle; F_0 does where it is no part of the answer */
 static inline int sf_settle_numbers(sf_step step, sf_varied unknowns, int count, const sf_exactly *exactly,
-                                     const sf_model *model, double *Omega, double *A, double *F_0) {
+                                    const sf_model *model, double *Omega, double *A, double *F_0) {
     sf_settling of = {sfp_point(*Omega), sfp_point(*A), sfp_point(*F_0)};
     if (exactly == NULL || !sf_settle_near(step, unknowns, count, exactly, model, NULL, &of))
         return 0;
@@ -235,8 +232,7 @@ static inline double sf_double_between(sf_way way_from, sf_sought *of, double A,
  * root at a time. first: of Omega alone, onto the response, where such parts of steps of both would leave it; or
  * NULL */
 static inline int sf_settle_above(sf_step step, sf_varied unknowns, sf_step first, const sf_exactly *exactly,
-                                  const sf_model *model, int piece, sf_settling *of)
-{
+                                  const sf_model *model, int piece, sf_settling *of) {
     const sf_pair b = exactly->b[piece - 1];
     double beyond = sfp_sub(of->A, b).high;
     int last = 0;
@@ -274,8 +270,7 @@ static inline int sf_settle_above(sf_step step, sf_varied unknowns, sf_step firs
 }
 
 static inline int sf_settle_state_above(const sf_exactly *exactly, const sf_model *model, int piece, double Omega,
-                                        double F_0, double A, sf_settling *of)
-{
+                                        double F_0, double A, sf_settling *of) {
     *of = (sf_settling){sfp_point(Omega), sfp_point(A), sfp_point(F_0)};
     return piece > 0 && model->breaks == exactly->breaks &&
            sf_settle_above(slow_flow_pairs_state_step, SF_VARY_A, NULL, exactly, model, piece, of);
@@ -284,8 +279,7 @@ static inline int sf_settle_state_above(const sf_exactly *exactly, const sf_mode
 /* Of two doubles on both sides of a breakpoint steps do not tell which is nearer: the state between them may be just
  * above it. */
 static inline double sf_state_between(const sf_exactly *exactly, const sf_model *model, double Omega, double F_0,
-                                      double A)
-{
+                                      double A) {
     sf_sought of = {exactly, model, F_0, sfp_point(Omega), 0, 0};
     sf_settling above;
     double next;
@@ -302,8 +296,7 @@ static inline double sf_state_between(const sf_exactly *exactly, const sf_model 
 /* The frequency is in the level what it is in the missing level: a straight line between the doubles, or between one of
  * them and the breakpoint that parts them. */
 static inline void sf_peak_between(const sf_exactly *exactly, const sf_model *model, double F_0, double *A,
-                                   double *Omega)
-{
+                                   double *Omega) {
     sf_sought of = {exactly, model, F_0, sfp_point(*Omega), 0, 0}, end[2];
     double ends[2], size;
     ends[0] = sf_double_between(sf_way_to_peak, &of, *A, &ends[1]);
@@ -382,8 +375,7 @@ static int sf_nearest_break(const sf_model *model, double A) {
 
 /* Returns how far off the fold is left, relatively; 0 where it settled. */
 static inline double sf_settle_fold(const sf_exactly *exactly, const sf_model *model, double F_0, double *Omega,
-                                    double *A)
-{
+                                    double *A) {
     const sf_settling begin = {sfp_point(*Omega), sfp_point(*A), sfp_point(F_0)};
     sf_settling above = begin;
     const int piece = sf_piece_of(model, *A);
@@ -468,8 +460,7 @@ static sf_extremum sf_settled_extremum(const sf_model *model, const sf_exactly *
 }
 
 static sf_status sf_settled_peak(const sf_model *model, const sf_exactly *exactly, double F_0, double most,
-                                 sf_work *work, double *A, double *Omega)
-{
+                                 sf_work *work, double *A, double *Omega) {
     const sf_status status = sf_peak(model, F_0, most, work, A, Omega);
     if (status != SF_OK || exactly == NULL || sf_has_laws(model))
         return status;

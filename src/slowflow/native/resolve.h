@@ -44,8 +44,7 @@ static double sf_within(sf_interval enclosure, double known) {
 /* The folds that are proved; 0 if doubles do not decide. Next to a breakpoint at which the force hardly jumps doubles
  * may have as many folds, but with a frequency of the other side of the resonance. */
 static int sf_take_proved_folds(const sf_model *model, const sf_inputs *inputs, double F_0, sf_room *room,
-                                sf_folds *folds)
-{
+                                sf_folds *folds) {
     const sf_certificate *found = &room->found;
     if (sf_certify_folds(model, inputs, F_0, room) != SF_OK || !sf_is_proved(found))
         return 0;
@@ -69,15 +68,14 @@ static int sf_take_proved_folds(const sf_model *model, const sf_inputs *inputs, 
 
 /* Every fold as sf_saddle_nodes has them. There is no proof by other laws of damping. */
 static sf_status sf_decided_folds(const sf_model *model, const sf_inputs *inputs, double F_0, sf_room *room,
-                                  sf_folds *folds)
-{
+                                  sf_folds *folds) {
     sf_status status = sf_saddle_nodes(model, F_0, &room->work, folds);
     room->inconclusive = room->undecided = 0, room->proofs = 0;
     if (status == SF_STICKS || status == SF_NO_BOUND)
         return status;
     folds->status = status;
     room->inconclusive = status != SF_OK || folds->undecided || folds->close || sf_nearly_sticks(model, F_0) ||
-                  sf_are_corners_close(model, inputs, F_0, &room->work);
+                         sf_are_corners_close(model, inputs, F_0, &room->work);
     if (room->inconclusive)
         room->undecided = !sf_take_proved_folds(model, sf_has_laws(model) ? NULL : inputs, F_0, room, folds);
     folds->undecided = room->undecided;
@@ -104,8 +102,7 @@ static int sf_is_sharp(const sf_folds *folds, double F_0) {
 /* The last digits of folds, of which proofs have what Newton's method leaves. Returns how far off one is left,
  * relatively. */
 static double sf_settle_or_prove(const sf_model *model, const sf_inputs *inputs, double F_0, sf_room *room,
-                                 sf_folds *folds)
-{
+                                 sf_folds *folds) {
     const double off = inputs == NULL ? 0 : sf_settle_folds(&inputs->exactly, model, F_0, folds);
     if (inputs == NULL || off > SF_FEW_DIGITS || !(off > SF_FEW_ROUNDINGS || sf_is_sharp(folds, F_0)))
         return off;
@@ -117,8 +114,7 @@ static double sf_settle_or_prove(const sf_model *model, const sf_inputs *inputs,
 
 /* The same to their last digit. */
 static sf_status sf_settled_folds(const sf_model *model, const sf_inputs *inputs, double F_0, sf_room *room,
-                                  sf_folds *folds)
-{
+                                  sf_folds *folds) {
     const int laws = sf_has_laws(model);
     if (!laws && sf_is_linear(model) && !sf_sticks(model, F_0)) {
         folds->n = folds->undecided = 0;

@@ -217,7 +217,7 @@ SF_ALWAYS double sf_refine(const sf_quartic *s, double w, double lo, double hi, 
     if (SF_UNLIKELY(!(w > lo && w < hi)))
         w = 0.5 * (lo + hi);
     for (int i = 0; i < SF_NEARING;
-             i++) { /* Halley in double, until the next error is below 2^-36 of the distance to a fold */
+         i++) { /* Halley in double, until the next error is below 2^-36 of the distance to a fold */
         double size;
         const double f = sf_value(s, w, &size);
         const double C = sf_cubic(s, w), D = sf_cubic_slope(s, w);
@@ -236,7 +236,7 @@ SF_ALWAYS double sf_refine(const sf_quartic *s, double w, double lo, double hi, 
             break;
     }
     for (int i = 0; i < SF_CORRECTING;
-             i++) { /* Newton with the double-double residual: once, but for nearly multiple roots */
+         i++) { /* Newton with the double-double residual: once, but for nearly multiple roots */
         const double f = sf_value_fine(s, w);
         const double C = sf_cubic(s, w), D = sf_cubic_slope(s, w);
         const double step = f / (s->k * C);
@@ -380,7 +380,8 @@ SF_ALWAYS double sf_root_at(const sf_isolated *q, sf_place place) {
     }
 }
 
-/* All of them with their multiplicity: pairs that touch are two, and where maximum and minimum coincide there are three. */
+/* All of them with their multiplicity: pairs that touch are two, and where maximum and minimum coincide there are
+ * three. */
 SF_ALWAYS int sf_all_roots(const sf_isolated *q, double Omega[3]) {
     sf_place place[3];
     int n = sf_places(q->exist, q->f0 < 0, q->f1 > 0, q->f2 < 0, place);

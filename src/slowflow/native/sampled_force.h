@@ -53,8 +53,7 @@ static void sf_smooth_at(const sf_smooth *of, double v, int first, int last, dou
 }
 
 static void sf_sampled_terms(const sf_quarter *of, int piece, int nodes, const double *beyond, const double *sine,
-                             const double *cosine, const double *p, double *out)
-{
+                             const double *cosine, const double *p, double *out) {
     const sf_sampled *force = of->programs;
     const int which = (int)(of - force->sums), bent = which == SF_INTERCEPT;
     (void)p;
@@ -87,16 +86,15 @@ static const double *sf_lost_at(const sf_mechanism *self, int i, double A) {
 
 /* Outputs are h, or a harmonic, and three derivatives, to which ends add. */
 static void sf_sampled_averages(const sf_mechanism *self, int which, int outputs, ptrdiff_t n, const double *A,
-                                double *out)
-{
+                                double *out) {
     double at[2 * SF_SLOPES], more[2 * (SF_SLOPES - 1)];
     const double *lost;
     for (ptrdiff_t j = 0; j < n; j++) {
         sf_sampled_sums(self, which, outputs, A[j], at);
         for (int i = 0; i <= self->breakpoints; i++)
             if ((lost = sf_lost_at(self, i, A[j])) != NULL) {
-                (which == SF_HIGHER ? sampled_harmonics_end : sampled_averaged_end)(
-                    A[j], self->sampled->ends[i], lost[0], lost[1], lost[2], more);
+                (which == SF_HIGHER ? sampled_harmonics_end : sampled_averaged_end)(A[j], self->sampled->ends[i],
+                                                                                    lost[0], lost[1], lost[2], more);
                 for (int k = 0; k < outputs; k++)
                     if (k % SF_SLOPES > 0)
                         at[k] += more[k - 1 - k / SF_SLOPES];
@@ -107,8 +105,7 @@ static void sf_sampled_averages(const sf_mechanism *self, int which, int outputs
 }
 
 #define SF_SAMPLED_AVERAGE(name, which, outputs)                                                                       \
-    static void name(const sf_mechanism *self, ptrdiff_t n, const double *A, const double *p, double *out)             \
-    {                                                                                                                  \
+    static void name(const sf_mechanism *self, ptrdiff_t n, const double *A, const double *p, double *out) {           \
         (void)p;                                                                                                       \
         sf_sampled_averages(self, which, outputs, n, A, out);                                                          \
     }
@@ -266,7 +263,7 @@ static void sf_read_samples(sf_reader *from, sf_mechanism *record, sf_sampled *o
     for (int i = 0; i < SF_AVERAGES; i++) {
         sf_quarter *sums = &out->sums[i];
         sums->pieces = record->breakpoints + 2, sums->width = widths[i], sums->graded = graded;
-        sums->nodes = nodes, sums->rule = (const double(*)[2])(const void *)rule;
+        sums->nodes = nodes, sums->rule = (const double (*)[2])(const void *)rule;
         sums->interpreted = sf_sampled_terms, sums->programs = out, sums->rough = out->rough[i];
     }
     out->bent.breakpoints = record->breakpoints;
@@ -280,13 +277,12 @@ static void sf_read_samples(sf_reader *from, sf_mechanism *record, sf_sampled *o
     out->room = from->room, record->sampled = out;
 }
 
-/* The record of a force by its program, which is never let go, or of one design by samples, which `sf_free_samples` lets go.
- * SF_INVALID where the data is neither, SF_TOO_MANY where the force is beyond what a record has room for.
+/* The record of a force by its program, which is never let go, or of one design by samples, which `sf_free_samples`
+ * lets go. SF_INVALID where the data is neither, SF_TOO_MANY where the force is beyond what a record has room for.
  *
  * like: a record of any odd force, whose damping and excitation it takes */
-static sf_status sf_read_record(int sampled, const sf_mechanism *like, const char *name, const int *code, ptrdiff_t count,
-                                const double *numbers, ptrdiff_t length, sf_mechanism **record)
-{
+static sf_status sf_read_record(int sampled, const sf_mechanism *like, const char *name, const int *code,
+                                ptrdiff_t count, const double *numbers, ptrdiff_t length, sf_mechanism **record) {
     sf_reader from = {code, code + count, numbers, numbers + length, NULL, SF_READ};
     sf_mechanism *made = sf_room_for(&from, 1, sizeof *made);
     void *own = sf_room_for(&from, 1, sampled ? sizeof(sf_sampled) : sizeof(sf_program));

@@ -50,9 +50,7 @@ static void sf_probe_at(const sf_search *search, int open, double A, sf_probe *p
 }
 
 /* What a force, or its average, may be as large as at a sample; a stiffness of 1 is that of the vertical spring. */
-static double sf_size_at(const sf_sample *at, double F_0) {
-    return F_0 + fabs(at->h) + at->A * (1 + fabs(at->h_A));
-}
+static double sf_size_at(const sf_sample *at, double F_0) { return F_0 + fabs(at->h) + at->A * (1 + fabs(at->h_A)); }
 
 /* What rounding may make of F = R^2 + I^2 - F_0^2 at a sample. */
 static double sf_error_of_F(const sf_sample *at, double I, double F_0, double w) {
@@ -118,7 +116,7 @@ static double sf_next_to(const sf_probe *probe, const sf_probe *before, int c, i
         next = sf_between_values(probe, before, c);
     else if (fabs(probe->answer.y[c]) < 0.5 * fabs(before->answer.y[c]))
         next = sf_zero_near(probe->at.A, probe->answer.y[c], probe->answer.dy[c], before->at.A, before->answer.y[c],
-                              before->answer.dy[c]);
+                            before->answer.dy[c]);
     return fabs(next) < HUGE_VAL ? next : probe->at.A - probe->answer.y[c] / probe->answer.dy[c];
 }
 
@@ -321,9 +319,9 @@ static void sf_find_zeros(const sf_task *task, const sf_stretch *piece, sf_zeros
     low.at = piece->first, high.at = piece->last;
     sf_ask(&search.task, open, &low.at, &low.answer);
     sf_ask(&search.task, open, &high.at, &high.answer);
-    if (low.at.A == 0 && (sf_begins_above_rest(task->question, &low.at) ||
-                          (low.answer.exists[0] && low.answer.y[0] == 0) ||
-                          (low.answer.exists[1] && low.answer.y[1] == 0)))
+    if (low.at.A == 0 &&
+        (sf_begins_above_rest(task->question, &low.at) || (low.answer.exists[0] && low.answer.y[0] == 0) ||
+         (low.answer.exists[1] && low.answer.y[1] == 0)))
         sf_probe_at(&search, open, SF_FIRST, &low);
     found->close |= sf_is_close(&search, &low) | sf_is_close(&search, &high);
     sf_know(&low.at, &low.known);

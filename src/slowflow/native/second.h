@@ -46,8 +46,7 @@ static int sf_is_settled(const sf_second *second, const sf_solved *solved, long 
 }
 
 /* The point of a stretch that goes its own way, by its number: the last one is the stretch's end. */
-static inline long sf_anchor(long from, long to, long k)
-{
+static inline long sf_anchor(long from, long to, long k) {
     return from + k * SF_APART < to - 1 ? from + k * SF_APART : to - 1;
 }
 
@@ -68,7 +67,7 @@ typedef struct {
 
 /* 0 where the points between cannot be interpolated from them. */
 static int sf_take_stencil(const sf_second *second, const sf_first *first, const sf_solved *solved, const long own[4],
-                          sf_stencil *stencil) {
+                           sf_stencil *stencil) {
     for (int j = 0; j < 3; j++)
         if (!sf_are_parallel(second, first, solved, own[j], own[j + 1]))
             return 0;
@@ -92,8 +91,7 @@ static void sf_expected(const sf_first *first, const sf_stencil *stencil, long f
     const double *restrict first_A = first->A + from, *restrict first_R = first->R + from;
     const sf_stencil gap = *stencil;
     for (int i = 0; i < n; i++) {
-        const double at[4] = {far[i] - gap.arc[0], far[i] - gap.arc[1], far[i] - gap.arc[2],
-                              far[i] - gap.arc[3]};
+        const double at[4] = {far[i] - gap.arc[0], far[i] - gap.arc[1], far[i] - gap.arc[2], far[i] - gap.arc[3]};
         const double first_two = at[0] * at[1], last_two = at[2] * at[3];
         const double weight[4] = {gap.factor[0] * at[1] * last_two, gap.factor[1] * at[0] * last_two,
                                   gap.factor[2] * at[3] * first_two, gap.factor[3] * at[2] * first_two};
@@ -106,8 +104,7 @@ static void sf_expected(const sf_first *first, const sf_stencil *stencil, long f
 
 /* Whether a point's way ends where the harmonics are a correction. */
 static int sf_is_kept(const sf_second *second, const sf_first *first, const sf_solved *solved, long i, double h,
-                      double A_1, double u_max)
-{
+                      double A_1, double u_max) {
     const double far = exp(SF_SMALL), Omega = solved->Omega[i], A = solved->A[i];
     return sf_is_settled(second, solved, i) && A < far * first->A[i] && far * A > first->A[i] &&
            Omega < far * first->Omega[i] && far * Omega > first->Omega[i] && sf_is_small(Omega, A, h, A_1, u_max);
@@ -260,8 +257,8 @@ static void sf_second_free(sf_second_curve *curve) {
     free(curve);
 }
 
-/* Newton's method to a steady state from near by: in Omega at an amplitude, or in A at a frequency. Returns the last step
- * to its logarithm. */
+/* Newton's method to a steady state from near by: in Omega at an amplitude, or in A at a frequency. Returns the last
+ * step to its logarithm. */
 static double sf_second_approach(const sf_second *second, int by_A, double *Omega, double *A) {
     double *const x = by_A ? A : Omega, step = HUGE_VAL, known[SF_KNOWN];
     for (int k = 0; k < SF_STEPS && fabs(step) > SF_DONE; k++) {
@@ -284,8 +281,8 @@ static int sf_passes(const sf_second_point *a, const sf_second_point *b, double 
 }
 
 /* A point of a curve from lane i of n. */
-static void sf_from_lane(int n, const double *Omega, const double *A, const double *out, int i, sf_second_point *point)
-{
+static void sf_from_lane(int n, const double *Omega, const double *A, const double *out, int i,
+                         sf_second_point *point) {
     point->Omega = Omega[i], point->A = A[i];
     for (int k = 0; k < SF_BALANCE; k++)
         point->at.values[k] = out[k * n + i];
@@ -368,8 +365,7 @@ static void sf_keep_points(const sf_second *second, const sf_first *first, const
 }
 
 /* What is left of each branch: the part that each point belongs to, whether a part is closed, and what is lost. */
-static void sf_keep_parts(const sf_first *first, const int *closed, const unsigned char *kept,
-                          sf_second_curve *curve) {
+static void sf_keep_parts(const sf_first *first, const int *closed, const unsigned char *kept, sf_second_curve *curve) {
     long to, n = 0;
     for (long from = 0; from < first->n; from = to) {
         int whole = closed[first->branch[from]], inside = 0;
@@ -398,8 +394,8 @@ static void sf_order_points(sf_second_curve *curve) {
     long to, j;
     for (long from = 0; from < curve->n; from = to) {
         sf_second_point *point = curve->point;
-        for (to = from + 1; to < curve->n && point[to].part == point[from].part &&
-                            (point[to].at.F_A > 0) == (point[from].at.F_A > 0);
+        for (to = from + 1;
+             to < curve->n && point[to].part == point[from].part && (point[to].at.F_A > 0) == (point[from].at.F_A > 0);
              to++)
             ;
         const double rising = point[to - 1].Omega >= point[from].Omega ? 1 : -1;
@@ -437,8 +433,7 @@ static int sf_insert_near(const sf_second *second, double b, sf_second_curve *cu
 
 static int sf_second_move(const sf_second *second, const sf_first *first, const int *closed, double *room,
                           unsigned char *kept, sf_second_curve *curve) {
-    const sf_solved solved = {room, room + first->n, room + 2 * first->n, room + 3 * first->n,
-                            room + 7 * first->n};
+    const sf_solved solved = {room, room + first->n, room + 2 * first->n, room + 3 * first->n, room + 7 * first->n};
     long to;
     sf_measure_first(second, first);
     memcpy(solved.Omega, first->Omega, (size_t)first->n * sizeof *solved.Omega);
@@ -462,8 +457,7 @@ static int sf_second_move(const sf_second *second, const sf_first *first, const 
 /* The curve that n points of the first approximation's move to, on branches from 0 on, some of which are closed; to be
  * freed by sf_second_free. NULL if there is no memory. */
 static sf_second_curve *sf_second_follow(const sf_model *model, double F_0, sf_wanted extent, long n,
-                                         const sf_points *points, const int *closed)
-{
+                                         const sf_points *points, const int *closed) {
     const sf_second second = {model, F_0, extent};
     sf_second_curve *curve = calloc(1, sizeof *curve);
     double *room = malloc((size_t)(8 * n + 1) * sizeof *room);

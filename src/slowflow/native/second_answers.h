@@ -85,8 +85,7 @@ static int sf_second_fold_between(const sf_second *second, const sf_second_point
         if (fabs(fold->A - second->model->b[k]) <= 0x1p-49 * second->model->b[k])
             fold->corner = 1, fold->A = second->model->b[k];
     /* next to a tip the frequency may slip to its other side, and the slope with it */
-    if (!fold->corner &&
-        !(fabs(sf_slope_between(&between, fold->A)) <= SF_VANISHED * fmax(fabs(f_low), fabs(f_high))))
+    if (!fold->corner && !(fabs(sf_slope_between(&between, fold->A)) <= SF_VANISHED * fmax(fabs(f_low), fabs(f_high))))
         return 0;
     fold->Omega = sf_Omega_between(&between, fold->A);
     const sf_balance at = sf_second_at(second, fold->Omega, fold->A);
@@ -265,8 +264,8 @@ static double sf_turning_at(const void *inputs, double Omega) {
 
 /* The lowest forcing whose largest displacement is u_cr; no iteration over A and Omega at once: next to u_cr, above
  * which the harmonics change, it gets stuck. 0 where it does not come near. */
-static int sf_second_detach(const sf_model *model, double F_first, double Omega_first, double u_cr,
-                                         double *F_cr, double *Omega_cr) {
+static int sf_second_detach(const sf_model *model, double F_first, double Omega_first, double u_cr, double *F_cr,
+                            double *Omega_cr) {
     const sf_second_reach reach = {model, u_cr};
     const sf_second second = {model, F_first, SF_EVERY_POINT};
     if (Omega_first == 0)
@@ -308,8 +307,7 @@ static double sf_turning_near(const void *inputs, double Omega) {
 }
 
 /* The highest peak of a curve; 0 where there is none between its points. */
-static int sf_peak_on(const sf_model *model, double F_0, const sf_second_curve *curve,
-                                   sf_second_point *out) {
+static int sf_peak_on(const sf_model *model, double F_0, const sf_second_curve *curve, sf_second_point *out) {
     const sf_second here = {model, F_0, SF_EVERY_POINT}, *second = &here;
     sf_second_near near = {second, 0};
     const sf_second_point *top = NULL, *low, *high;
@@ -374,8 +372,7 @@ static sf_second_curve *sf_second_around(const sf_model *model, const sf_inputs 
  *
  * low, high: frequencies between which averaging's folds and its peak lie; infinite where these are not known */
 static sf_status sf_second_saddle_nodes(const sf_model *model, const sf_inputs *inputs, double F_0, double low,
-                                        double high, sf_room *room, sf_second_folds *out)
-{
+                                        double high, sf_room *room, sf_second_folds *out) {
     const sf_folds *first = &room->work.folds;
     const int known = high < HUGE_VAL;
     sf_second_curve *curve;
@@ -385,8 +382,8 @@ static sf_status sf_second_saddle_nodes(const sf_model *model, const sf_inputs *
     out->n = out->lost = out->tried = 0, out->status = SF_OK;
     if (!known) {
         high = 0;
-        status = sf_settled_peak(model, inputs == NULL ? NULL : &inputs->exactly, F_0, HUGE_VAL, &room->work, &A,
-                                 &Omega);
+        status =
+            sf_settled_peak(model, inputs == NULL ? NULL : &inputs->exactly, F_0, HUGE_VAL, &room->work, &A, &Omega);
     }
     if (status != SF_OK && status != SF_UNBOUNDED && status != SF_NONE)
         return status;
@@ -410,8 +407,7 @@ static sf_status sf_second_saddle_nodes(const sf_model *model, const sf_inputs *
 
 /* The highest peak of the curve about a frequency, which is to be freed if there is one. */
 static sf_status sf_second_peak(const sf_model *model, const sf_inputs *inputs, double F_0, double near, sf_room *room,
-                                sf_second_curve **curve, sf_second_point *top)
-{
+                                sf_second_curve **curve, sf_second_point *top) {
     sf_status status;
     *curve = sf_second_around(model, inputs, F_0, SF_TOP_ONLY, near, near, room, &status);
     return *curve != NULL && !sf_peak_on(model, F_0, *curve, top) ? SF_NONE : status;

@@ -6,11 +6,11 @@
 #include "inertia.h"
 
 enum {
-    SF_KNOWN = 12,   /* rows of averages: h, h_3 and h_5, each with three derivatives */
-    SF_BALANCE = 9,  /* rows of the balance: u_max, A_1, phi, R, F, F_A, F_Omega, R_A, R_Omega */
-    SF_MATCH = 2,    /* rows of a step to the frequency of a given R: the step to ln Omega, and sf_short_exp of it */
-    SF_NEWTON = 7    /* rows of a step of Newton's: its size, the one that ends the iteration, R after it, the steps to
-                        ln A and to ln Omega, each with its sf_short_exp */
+    SF_KNOWN = 12,  /* rows of averages: h, h_3 and h_5, each with three derivatives */
+    SF_BALANCE = 9, /* rows of the balance: u_max, A_1, phi, R, F, F_A, F_Omega, R_A, R_Omega */
+    SF_MATCH = 2,   /* rows of a step to the frequency of a given R: the step to ln Omega, and sf_short_exp of it */
+    SF_NEWTON = 7   /* rows of a step of Newton's: its size, the one that ends the iteration, R after it, the steps to
+                       ln A and to ln Omega, each with its sf_short_exp */
 };
 
 /* d/dOmega of the square of the force of an excitation by inertia. */

@@ -34,8 +34,13 @@ static const sf_batch sf_rows_of_many[] = {
     {"many_proved_amplitudes", "(),(),()", "bbb", "F_0, Omega -> count, whether it is proved, status", 2,
      sf_loop_singly, sf_answer_proved_states, 1},
     {"many_gradients", "(r,n),()", "Db",
-     "F_0, Omega, A, kind, whether inertia excites -> derivatives (rows, columns), status", 5, sf_loop_gradients, NULL, 0},
+     "F_0, Omega, A, kind, whether inertia excites -> derivatives (rows, columns), status", 5, sf_loop_gradients, NULL,
+     0},
 };
 
-const sf_solvers SF_SOLVERS = {sf_rows_of_one, sf_rows_of_many, sizeof sf_rows_of_one / sizeof *sf_rows_of_one,
-                               sizeof sf_rows_of_many / sizeof *sf_rows_of_many, sf_slopes_of, &SF_RECORDS};
+const sf_solvers SF_SOLVERS = {sf_rows_of_one,
+                               sf_rows_of_many,
+                               sizeof sf_rows_of_one / sizeof *sf_rows_of_one,
+                               sizeof sf_rows_of_many / sizeof *sf_rows_of_many,
+                               sf_slopes_of,
+                               &SF_RECORDS};

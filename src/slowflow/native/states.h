@@ -122,8 +122,7 @@ static int sf_take_proved_states(const sf_model *model, const sf_inputs *inputs,
 /* The steady states at Omega by rising A, from the segments; returns their number. undecided: whether doubles do not
  * tell it */
 static int sf_states_on_curve(const sf_model *model, const sf_inputs *inputs, double F_0, sf_room *room, double Omega,
-                              double *A, unsigned char *stable, int *undecided)
-{
+                              double *A, unsigned char *stable, int *undecided) {
     if (sf_has_laws(model))
         inputs = NULL;
     int n = sf_states_of_segments(model, inputs == NULL ? NULL : &inputs->exactly, F_0, &room->work, Omega, A, stable);
@@ -141,8 +140,7 @@ static double sf_above_states(const sf_model *model, double F_0, double Omega) {
  * settled to its last digit; returns their number, or -1. Without friction and with little of it, without viscous
  * damping and for an excitation by inertia the curve is used. */
 static int sf_clear_states(const sf_model *model, const sf_exactly *exactly, double F_0, double Omega, sf_work *work,
-                           double *A, unsigned char *stable)
-{
+                           double *A, unsigned char *stable) {
     sf_task task = sf_task_of(SF_STATE, model, F_0);
     sf_zeros *found = &work->zeros;
     int n = 0;
@@ -173,8 +171,7 @@ static int sf_clear_states(const sf_model *model, const sf_exactly *exactly, dou
 /* The steady states at Omega by rising A, at most SF_MOST_STATES. undecided: whether doubles do not tell their
  * number */
 static sf_status sf_states(const sf_model *model, const sf_inputs *inputs, double F_0, sf_room *room, double Omega,
-                           int *n, double *A, unsigned char *stable, int *undecided)
-{
+                           int *n, double *A, unsigned char *stable, int *undecided) {
     *undecided = 0;
     *n = inputs == NULL || sf_has_laws(model)
              ? -1

@@ -30,6 +30,7 @@ typedef struct {
     const double (*constant)[2];
 } sf_straight;
 
+/* clang-format off */
 /* Functions of one number, as an arithmetic's prefix names them. */
 #define SF_OPERATIONS_OF_ONE(OPERATION, prefix)                                                                        \
     OPERATION(SQRT, prefix##sqrt(a)) OPERATION(CBRT, prefix##cbrt(a))                                                  \
@@ -45,13 +46,14 @@ typedef struct {
     OPERATION(POWER, pow(a, b)) OPERATION(HYPOT, hypot(a, b)) OPERATION(ABS, fabs(a))                                  \
     OPERATION(COPYSIGN, copysign(a, b)) SF_OPERATIONS_OF_ONE(OPERATION, )
 
+/* clang-format on */
+
 /* Whether an arithmetic has an operation. */
 typedef int sf_arithmetic(int operation);
 
 #define SF_IS_CASE(x, value) case SF_##x##_OPERATION:
 #define SF_ARITHMETIC(name, OPERATIONS)                                                                                \
-    static inline int name(int operation)                                                                              \
-    {                                                                                                                  \
+    static inline int name(int operation) {                                                                            \
         switch ((sf_operation)operation) {                                                                             \
             OPERATIONS(SF_IS_CASE)                                                                                     \
             return 1;                                                                                                  \
@@ -73,8 +75,7 @@ SF_ARITHMETIC(sf_in_doubles, SF_OPERATIONS_IN_DOUBLES)
         break;
 
 /* Register r is x[r*lanes] to x[r*lanes + lanes - 1]. */
-static inline void sf_run_lanes(const sf_straight *of, double *x, const int lanes)
-{
+static inline void sf_run_lanes(const sf_straight *of, double *x, const int lanes) {
     const sf_instruction *at = of->code, *const end = at + of->length;
     int k;
     for (; at < end; at++) {

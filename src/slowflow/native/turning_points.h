@@ -1,9 +1,10 @@
 /* Means over a cycle by the motion's ends, B + A and B - A, on boxes. Takes charts of a force and a box of x and y in
  * one; returns intervals that hold A, B, c_0 = <f>, s_0 = <f cos psi> and their slopes on all of it.
  *
- * The charts are those of slowflow/off_centre/turning_points.py, the mathematics derivations/asymmetric/off_centre.py's. U_k and
- * V_k are the means of (A cos psi - a)^k/k! above a step with 1 + cos psi and 1 - cos psi. Both rise with either end of
- * the motion, so that the values at two corners of a box hold them, as tightly as can be.
+ * The charts are those of slowflow/off_centre/turning_points.py, the mathematics
+ * derivations/asymmetric/off_centre.py's. U_k and V_k are the means of (A cos psi - a)^k/k! above a step with 1 + cos
+ * psi and 1 - cos psi. Both rise with either end of the motion, so that the values at two corners of a box hold them,
+ * as tightly as can be.
  */
 #pragma once
 
@@ -149,8 +150,7 @@ enum { SF_C_0, SF_S_0, SF_P_1, SF_Q_1, SF_P_2, SF_Q_2, SF_C_3, SF_SUMS };
  * turn: 1 for a step on the right, else what D is multiplied with there, but for odd powers with its negative; from:
  * the first power that counts */
 static void sf_add_step(const double *D, int from, int right, double turn, const sf_ladder *ladder, int highest,
-                        sf_weighted *sums)
-{
+                        sf_weighted *sums) {
     const sf_interval *P = right ? ladder->U : ladder->V, *Q = right ? ladder->V : ladder->U;
     const double side = right ? 1 : -1;
     for (int k = from; k <= highest; k++) {
@@ -178,8 +178,7 @@ static int sf_degree(const double *D, int highest) {
 
 /* Adds a polynomial: what it has besides a straight line is a step on either side of u = 0, with powers of one sign. */
 static void sf_add_piece(const double *D, sf_interval top, sf_interval bottom, sf_interval A, int highest,
-                         sf_weighted *sums, sf_interval *straight)
-{
+                         sf_weighted *sums, sf_interval *straight) {
     const sf_interval down = sfi_neg(bottom), slope = sfi_point(highest > 0 ? D[1] : 0);
     const int degree = sf_degree(D, highest);
     if (degree > 1) {
@@ -216,13 +215,13 @@ typedef struct {
 /* What gains D_0 pi of f and D_1 pi of f' share in c_x and c_xx where a motion passes them, or in -c_y and -c_yy.
  * c_1 + s_1 has D_0 root_y/(root_x A), and c_1 - s_1 the inverse of that ratio; c_2 +- s_2 the same of D_1. */
 static void sf_share(const sf_near *own, const sf_near *other, sf_interval A, double D_0, double D_1, double sign,
-                     sf_interval *fraction, sf_interval *slope)
-{
+                     sf_interval *fraction, sf_interval *slope) {
     const int is_own = own->rooted && own->far == 0;
     const sf_interval X = own->X, far = sfi_point(own->rooted ? own->far : -0.25);
     sf_interval ratio = sfi_point(1), turn = sfi_point(0);
     if (!is_own) {
-        /* of a root x/root rises from 0 to 1, and is 1 where the step is the chart's own; of an end 1/2 over it falls */
+        /* of a root x/root rises from 0 to 1, and is 1 where the step is the chart's own; of an end 1/2 over it falls
+         */
         ratio = own->rooted ? sfi_of(X.lo / sqrt(X.lo * X.lo + own->far), X.hi / sqrt(X.hi * X.hi + own->far))
                             : sfi_of(0.5 / own->root.hi, 0.5 / own->root.lo);
         ratio = sfi_of(sfi_down(sfi_down(ratio.lo)) * (1 - 0x1p-51), sfi_up(sfi_up(ratio.hi)) * (1 + 0x1p-51));
@@ -231,15 +230,15 @@ static void sf_share(const sf_near *own, const sf_near *other, sf_interval A, do
     const sf_interval over = sfi_div(other->root, A);
     const sf_interval of_force = sfi_mul(ratio, over);
     *fraction = sfi_add(*fraction, sfi_mul(of_force, sfi_point(D_0)));
-    *slope = sfi_add(*slope, sfi_add(sfi_mul(sfi_mul(over, sfi_sub(turn, sfi_div(sfi_mul(ratio, X), A))), sfi_point(D_0)),
-                                     sfi_mul(sfi_mul(X, of_force), sfi_point(2 * sign * D_1))));
+    *slope =
+        sfi_add(*slope, sfi_add(sfi_mul(sfi_mul(over, sfi_sub(turn, sfi_div(sfi_mul(ratio, X), A))), sfi_point(D_0)),
+                                sfi_mul(sfi_mul(X, of_force), sfi_point(2 * sign * D_1))));
 }
 
-/* What a step's gains of f, f' and f'' share in c_3 and s_2 where all of the motions pass it. One on the left is that of
- * -f(-u), of which derivatives and the cosine change their signs. */
+/* What a step's gains of f, f' and f'' share in c_3 and s_2 where all of the motions pass it. One on the left is that
+ * of -f(-u), of which derivatives and the cosine change their signs. */
 static void sf_share_near(const double *D, int highest, int right, sf_interval over, sf_interval under,
-                            sf_interval *c_3, sf_interval *s_2)
-{
+                          sf_interval *c_3, sf_interval *s_2) {
     const sf_interval A = sfi_times(0.5, sfi_add(over, under)), a = sfi_times(0.5, sfi_sub(under, over));
     const sf_interval root = sfi_sqrt(sfi_mul(over, under)), none = sfi_point(0);
     sf_interval begin[4], down[2], last[2];
@@ -280,8 +279,8 @@ static double sf_share_inside(const sf_charts *of, sf_interval top, sf_interval 
         const double line = of->line[side ? 0 : of->lines - 1];
         const double over = side ? line - bottom.hi : top.lo - line, under = side ? top.hi - line : line - bottom.lo;
         if (over > 0)
-            inside -= under > 0 ? sfi_most(atan2(sqrt(over * under), 0.5 * (under - over)) / SFI_PI - SF_SHARE_ERROR, 0)
-                                : 1;
+            inside -=
+                under > 0 ? sfi_most(atan2(sqrt(over * under), 0.5 * (under - over)) / SFI_PI - SF_SHARE_ERROR, 0) : 1;
     }
     return sfi_most(sfi_least(inside, 1), 0);
 }
@@ -290,7 +289,8 @@ static double sf_share_inside(const sf_charts *of, sf_interval top, sf_interval 
  * next to it as something bounded. There steps cancel, and with them what is known of their sum. */
 static void sf_sum_large(const sf_charts *of, sf_interval top, sf_interval bottom, sf_interval A, sf_interval *out) {
     const int order[SF_SUMS] = {0, 0, 1, 1, 2, 2, 2}, highest = of->highest;
-    const double size = sfi_most(fabs(top.hi), fabs(bottom.lo)) * (1 + 0x1p-50), inside = sf_share_inside(of, top, bottom);
+    const double size = sfi_most(fabs(top.hi), fabs(bottom.lo)) * (1 + 0x1p-50);
+    const double inside = sf_share_inside(of, top, bottom);
     sf_weighted sums[SF_SUMS] = {{0, 0, 0}};
     sf_interval straight[SF_SUMS];
     sf_add_piece(of->last, top, bottom, A, highest, sums, straight);
@@ -315,10 +315,12 @@ static void sf_end_up(const sf_interval *sum, const sf_interval *fraction, sf_en
     out->s_2 = sfi_times(0.5, sfi_sub(sum[SF_P_2], sum[SF_Q_2]));
     out->c_x = sfi_add(sfi_mul(out->X, sum[SF_P_1]), fraction[0]);
     out->c_y = sfi_neg(sfi_add(sfi_mul(out->Y, sum[SF_Q_1]), fraction[1]));
-    out->c_xx = sfi_add(sfi_add(sfi_mul(out->X_x, sum[SF_P_1]),
-                                sfi_mul(sfi_square(out->X), sfi_sub(sfi_times(2, sum[SF_P_2]), bent))), fraction[2]);
-    out->c_yy = sfi_sub(sfi_sub(sfi_mul(sfi_square(out->Y), sfi_sub(sfi_times(2, sum[SF_Q_2]), bent)),
-                                sfi_mul(out->Y_y, sum[SF_Q_1])), fraction[3]);
+    out->c_xx = sfi_add(
+        sfi_add(sfi_mul(out->X_x, sum[SF_P_1]), sfi_mul(sfi_square(out->X), sfi_sub(sfi_times(2, sum[SF_P_2]), bent))),
+        fraction[2]);
+    out->c_yy = sfi_sub(
+        sfi_sub(sfi_mul(sfi_square(out->Y), sfi_sub(sfi_times(2, sum[SF_Q_2]), bent)), sfi_mul(out->Y_y, sum[SF_Q_1])),
+        fraction[3]);
 }
 
 /* The piece in the middle of the motion: the others are passed least. */
@@ -384,7 +386,8 @@ static void sf_on_all(const sf_charts *of, sf_interval x, sf_interval y, int cha
     for (int i = 0; nowhere && i < SF_SUMS; i++)
         sum[i] = sf_any_number;
     sf_end_up(sum, fraction, out);
-    out->c_3 = outer ? sfi_add(out->c_3, c_3) : sf_any_number, out->s_2 = outer ? sfi_add(out->s_2, s_2) : sf_any_number;
+    out->c_3 = outer ? sfi_add(out->c_3, c_3) : sf_any_number;
+    out->s_2 = outer ? sfi_add(out->s_2, s_2) : sf_any_number;
     if (out->A.lo > of->large) {
         sf_ended nearer = *out;
         sf_sum_large(of, top, bottom, out->A, sum);
@@ -396,7 +399,8 @@ static void sf_on_all(const sf_charts *of, sf_interval x, sf_interval y, int cha
 }
 
 /* A value next to the middle of a box, by its slopes on all of it. */
-static sf_interval sf_from_middle(sf_interval middle, sf_interval by_x, sf_interval r_x, sf_interval by_y, sf_interval r_y) {
+static sf_interval sf_from_middle(sf_interval middle, sf_interval by_x, sf_interval r_x, sf_interval by_y,
+                                  sf_interval r_y) {
     return sfi_add(middle, sfi_add(sfi_mul(by_x, r_x), sfi_mul(by_y, r_y)));
 }
 
@@ -413,8 +417,8 @@ static void sf_tighten(const sf_ended *middle, sf_interval r_x, sf_interval r_y,
 
 /* On a box within the limits of its chart, and at a point of it: of a box that touches A = 0 the part in which A is not
  * negative. Where `load` is a number that <f> is not, nothing else is made tighter. */
-static void sf_on_ends(const sf_charts *of, const double *low, const double *at, const double *high, int chart, double load,
-                       sf_ended *out, sf_ended *middle) {
+static void sf_on_ends(const sf_charts *of, const double *low, const double *at, const double *high, int chart,
+                       double load, sf_ended *out, sf_ended *middle) {
     const sf_interval x = {low[0], high[0]}, y = {low[1], high[1]};
     sf_on_all(of, x, y, chart, out);
     *middle = *out;

@@ -14,8 +14,7 @@
 #endif
 
 /* a + b and its rounding error */
-TWOFOLD_INLINE double twofold_two_sum(double a, double b, double *low)
-{
+TWOFOLD_INLINE double twofold_two_sum(double a, double b, double *low) {
     const double s = a + b;
     const double t = s - a;
     *low = (a - (s - t)) + (b - t);
@@ -23,16 +22,14 @@ TWOFOLD_INLINE double twofold_two_sum(double a, double b, double *low)
 }
 
 /* a b and its rounding error */
-TWOFOLD_INLINE double twofold_two_product(double a, double b, double *low)
-{
+TWOFOLD_INLINE double twofold_two_product(double a, double b, double *low) {
     const double p = a * b;
     *low = fma(a, b, -p);
     return p;
 }
 
 /* The sum of n doubles, distilled until they no longer overlap: its sign is certain. */
-TWOFOLD_INLINE double twofold_distilled(double *terms, int n)
-{
+TWOFOLD_INLINE double twofold_distilled(double *terms, int n) {
     double sum = 0;
     for (int pass = 0; pass < n; pass++)
         for (int i = 1; i < n; i++)

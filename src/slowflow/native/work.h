@@ -30,8 +30,8 @@ typedef struct {
 typedef struct {
     double F_SN, Omega, A;
     sf_onset_kind kind;
-    /* lowest level at which the fold locus ends at Omega = 0, or with a preload at A = 0, or infinite; with SF_NO_BOUND a
-     * forcing that none bounds */
+    /* lowest level at which the fold locus ends at Omega = 0, or with a preload at A = 0, or infinite; with SF_NO_BOUND
+     * a forcing that none bounds */
     double rest;
     int undecided; /* whether there may be one whose amplitude no double tells from others */
 } sf_onset;

@@ -35,9 +35,9 @@ static inline void sf_add_zero(sf_zeros *found, sf_zero zero) {
 }
 
 /* Whether the least level over Omega rises through the forcing at a zero of SF_PEAK or SF_REST, so that stable motions
- * end there. A maximum of F over Omega (channel 0 of SF_PEAK) is a top of the curve where F falls, and none of these. Of
- * the halves of SF_REST the upper one has h = -c: the spring pulls back, and F rises where h falls. In the lower half it
- * pushes on: that counts where it pulls nowhere, `pushes`. */
+ * end there. A maximum of F over Omega (channel 0 of SF_PEAK) is a top of the curve where F falls, and none of these.
+ * Of the halves of SF_REST the upper one has h = -c: the spring pulls back, and F rises where h falls. In the lower
+ * half it pushes on: that counts where it pulls nowhere, `pushes`. */
 static inline int sf_is_top(const sf_zero *zero, int pushes) {
     if (zero->question == SF_REST)
         return zero->channel == 1 ? !zero->rising : pushes && zero->rising;

@@ -19,36 +19,32 @@
 #define TABLE "slowflow._exact.laws"
 
 /* with its laws, which are its context */
-static void free_system(PyObject *capsule)
-{
+static void free_system(PyObject *capsule) {
     Py_XDECREF((PyObject *)PyCapsule_GetContext(capsule));
     PyMem_Free(PyCapsule_GetPointer(capsule, NAME));
 }
 
 /* the numbers of a tuple; with an error set if they are none */
-static void numbers(PyObject *tuple, double *out, Py_ssize_t count)
-{
+static void numbers(PyObject *tuple, double *out, Py_ssize_t count) {
     for (Py_ssize_t i = 0; i < count && !PyErr_Occurred(); i++)
         out[i] = PyFloat_AsDouble(PyTuple_GetItem(tuple, i));
 }
 
-static void release(Py_buffer *const *buffers)
-{
+static void release(Py_buffer *const *buffers) {
     for (; *buffers != NULL; buffers++)
         PyBuffer_Release(*buffers);
 }
 #define RELEASE(...) release((Py_buffer *const[]){__VA_ARGS__, NULL})
 
 /* pieces by rising u; constants less the side of u = 0 */
-static PyObject *make_system(PyObject *self, PyObject *arguments)
-{
+static PyObject *make_system(PyObject *self, PyObject *arguments) {
     (void)self;
     PyObject *laws, *constants, *edges;
     double mu, zeta, load, c_2, mu_s, eta, c_3, zeta_2, jump = 0.0;
     int about, odd, inertial, released;
     if (!PyArg_ParseTuple(arguments, "O!O!O!ipddpddpdddd|d", &PyTuple_Type, &laws, &PyTuple_Type, &constants,
-                          &PyTuple_Type, &edges, &about, &odd, &mu, &zeta, &inertial, &load, &c_2, &released, &mu_s, &eta, &c_3,
-                          &zeta_2, &jump))
+                          &PyTuple_Type, &edges, &about, &odd, &mu, &zeta, &inertial, &load, &c_2, &released, &mu_s,
+                          &eta, &c_3, &zeta_2, &jump))
         return NULL;
     const Py_ssize_t pieces = PyTuple_Size(laws);
     if (pieces < 1 || PyTuple_Size(constants) != pieces || PyTuple_Size(edges) != pieces - 1 || about < 0 ||
@@ -71,8 +67,8 @@ static PyObject *make_system(PyObject *self, PyObject *arguments)
         return PyErr_NoMemory();
     sf_piece *const piece = (sf_piece *)(system + 1);
     double *const edge = (double *)(piece + pieces), *at = edge + pieces + 1;
-    *system = (sf_system){(int)pieces, about, odd, piece, edge, mu, zeta, inertial, load,
-                          c_2, released, mu_s, jump, eta, c_3, zeta_2};
+    *system = (sf_system){(int)pieces, about, odd,      piece, edge, mu,  zeta, inertial,
+                          load,        c_2,   released, mu_s,  jump, eta, c_3,  zeta_2};
     edge[0] = -SF_FAR, edge[pieces] = SF_FAR;
     numbers(edges, edge + 1, pieces - 1);
     for (Py_ssize_t i = 0; i < pieces && !PyErr_Occurred(); i++) {
@@ -94,8 +90,7 @@ static PyObject *make_system(PyObject *self, PyObject *arguments)
 }
 
 /* {name: law} of a table that ends with a law without a name */
-static PyObject *laws_of(const sf_law *law)
-{
+static PyObject *laws_of(const sf_law *law) {
     PyObject *const laws = PyDict_New();
     for (; laws != NULL && law->name != NULL; law++) {
         PyObject *const capsule = PyCapsule_New((void *)law, LAW, NULL);
@@ -109,16 +104,14 @@ static PyObject *laws_of(const sf_law *law)
     return laws;
 }
 
-static PyObject *laws(PyObject *self, PyObject *table)
-{
+static PyObject *laws(PyObject *self, PyObject *table) {
     (void)self;
     const sf_law *const law = PyCapsule_GetPointer(table, TABLE);
     return law == NULL ? NULL : laws_of(law);
 }
 
 /* A law from words and numbers of a program, in order; None where that is too large. */
-static PyObject *interpreted(PyObject *self, PyObject *arguments)
-{
+static PyObject *interpreted(PyObject *self, PyObject *arguments) {
     (void)self;
     const char *name;
     Py_buffer code, numbers;
@@ -130,7 +123,7 @@ static PyObject *interpreted(PyObject *self, PyObject *arguments)
     RELEASE(&code, &numbers);
     if (status == SF_NO_PROGRAM)
         return PyErr_Format(PyExc_ValueError, "%s: its force is no program", name);
-    return status == SF_NO_ROOM   ? PyErr_NoMemory()
+    return status == SF_NO_ROOM     ? PyErr_NoMemory()
            : status == SF_TOO_LARGE ? Py_NewRef(Py_None)
                                     : PyCapsule_New((void *)law, LAW, NULL);
 }
@@ -138,25 +131,24 @@ static PyObject *interpreted(PyObject *self, PyObject *arguments)
 static void free_law(PyObject *capsule) { free(PyCapsule_GetPointer(capsule, LAW)); }
 
 /* A law from rows of polynomials for u < 0 and for u > 0, see polynomials.h. */
-static PyObject *polynomials(PyObject *self, PyObject *arguments)
-{
+static PyObject *polynomials(PyObject *self, PyObject *arguments) {
     (void)self;
     enum { ROW = 4 + 2 * SF_SUMMED };
     Py_buffer below, above;
     if (!PyArg_ParseTuple(arguments, "y*y*", &below, &above))
         return NULL;
     const Py_buffer *const both[] = {&below, &above};
-    const double(*rows[2])[ROW];
+    const double (*rows[2])[ROW];
     int count[2], fits = 1;
     for (int s = 0; s < 2; s++) {
-        const double(*const row)[ROW] = rows[s] = both[s]->buf;
+        const double (*const row)[ROW] = rows[s] = both[s]->buf;
         count[s] = (int)(both[s]->len / (Py_ssize_t)sizeof *row);
         fits &= count[s] > 0 && both[s]->len == count[s] * (Py_ssize_t)sizeof *row;
         for (int k = 0; fits && k < count[s]; k++)
             fits = row[k][1] > 0.0 && row[k][2] >= 0.0 && row[k][2] <= SF_MOST_POWER && row[k][3] >= 0.0 &&
                    row[k][3] <= SF_MOST_DEGREE && (k == 0 || row[k][0] > row[k - 1][0]);
     }
-    sf_law *const law = fits ? sf_polynomial_law((const double(*const *)[ROW])rows, count) : NULL;
+    sf_law *const law = fits ? sf_polynomial_law((const double (*const *)[ROW])rows, count) : NULL;
     RELEASE(&below, &above);
     if (law == NULL)
         return fits ? PyErr_NoMemory() : PyErr_Format(PyExc_ValueError, "rows that are no polynomials of a force");
@@ -167,14 +159,12 @@ static PyObject *polynomials(PyObject *self, PyObject *arguments)
 }
 
 /* The oscillator of a capsule, as "O&" of PyArg_ParseTuple takes it. */
-static int oscillator(PyObject *capsule, void *to)
-{
+static int oscillator(PyObject *capsule, void *to) {
     return (*(const sf_system **)to = PyCapsule_GetPointer(capsule, NAME)) != NULL;
 }
 
 /* Whether an oscillator has a piece of that number, and results fit their room; an error is set where not. */
-static int has_piece(const sf_system *system, int region, int fits, const char *unfit)
-{
+static int has_piece(const sf_system *system, int region, int fits, const char *unfit) {
     if (region < -system->about || region >= system->pieces - system->about)
         PyErr_Format(PyExc_ValueError, "no piece of a force is number %d", region);
     else if (!fits)
@@ -182,8 +172,7 @@ static int has_piece(const sf_system *system, int region, int fits, const char *
     return !PyErr_Occurred();
 }
 
-static PyObject *advance(PyObject *self, PyObject *arguments)
-{
+static PyObject *advance(PyObject *self, PyObject *arguments) {
     (void)self;
     sf_forced forced;
     int slip, region;
@@ -206,8 +195,7 @@ static PyObject *advance(PyObject *self, PyObject *arguments)
     return PyErr_Occurred() ? NULL : Py_BuildValue("ildd", (int)outcome, most - forced.left, u, v);
 }
 
-static PyObject *sample(PyObject *self, PyObject *arguments)
-{
+static PyObject *sample(PyObject *self, PyObject *arguments) {
     (void)self;
     sf_forced forced;
     sf_phase phase = {0};
@@ -228,8 +216,7 @@ static PyObject *sample(PyObject *self, PyObject *arguments)
 
 /* (outcome, steps, numbers as `shocks` has them, phases as bytes, each an sf_stretch); in place of the numbers those of
  * sf_shocked.lost where the motion is lost. */
-static PyObject *shock(PyObject *self, PyObject *arguments)
-{
+static PyObject *shock(PyObject *self, PyObject *arguments) {
     (void)self;
     sf_shocked shock = {0};
     double begin, after, numbers[SF_SHOCK_NUMBERS] = {0};
@@ -256,8 +243,7 @@ static PyObject *shock(PyObject *self, PyObject *arguments)
 }
 
 /* (outcome, steps, u where the motion is lost, u and v at the end of each arc as bytes) */
-static PyObject *record(PyObject *self, PyObject *arguments)
-{
+static PyObject *record(PyObject *self, PyObject *arguments) {
     (void)self;
     sf_shocked shock = {0};
     Py_buffer arcs;
@@ -268,7 +254,7 @@ static PyObject *record(PyObject *self, PyObject *arguments)
     PyObject *const states = PyBytes_FromStringAndSize(NULL, count * (Py_ssize_t)sizeof(double[2]));
     sf_outcome outcome = SF_GOOD;
     if (states != NULL) {
-        double(*const out)[2] = (double(*)[2])(void *)PyBytes_AsString(states);
+        double (*const out)[2] = (double (*)[2])(void *)PyBytes_AsString(states);
         Py_BEGIN_ALLOW_THREADS
         outcome = sf_recorded(&shock, arcs.buf, count, out);
         Py_END_ALLOW_THREADS
@@ -280,8 +266,7 @@ static PyObject *record(PyObject *self, PyObject *arguments)
 }
 
 /* (outcome, steps, phases as bytes, each an sf_phase) */
-static PyObject *follow(PyObject *self, PyObject *arguments)
-{
+static PyObject *follow(PyObject *self, PyObject *arguments) {
     (void)self;
     sf_forced forced = {0};
     double theta, u, v, end;
@@ -303,8 +288,7 @@ static PyObject *follow(PyObject *self, PyObject *arguments)
 
 /* (outcome, steps, A, monodromy, borders): residual, jacobian, of_A, gradients one after the other in `out`; z is
  * moved, `direction` filled where it is given. `extra` is None, a row with its value, or the number of a border. */
-static PyObject *newton(PyObject *self, PyObject *arguments)
-{
+static PyObject *newton(PyObject *self, PyObject *arguments) {
     (void)self;
     PyObject *result = NULL;
     const sf_system *system;
@@ -352,9 +336,9 @@ static PyObject *newton(PyObject *self, PyObject *arguments)
 }
 
 /* (points, steps, pause, step, travelled): the points' numbers row by row in `rows`, which sets how many there may be;
- * `points` holds z and tangent of the last point, of the one before if there is one; `first` z and tangent, or nothing. */
-static PyObject *trace(PyObject *self, PyObject *arguments)
-{
+ * `points` holds z and tangent of the last point, of the one before if there is one; `first` z and tangent, or nothing.
+ */
+static PyObject *trace(PyObject *self, PyObject *arguments) {
     (void)self;
     PyObject *result = NULL;
     const sf_system *system;
@@ -407,8 +391,7 @@ static PyObject *trace(PyObject *self, PyObject *arguments)
 /* An odd force of which each piece has the same constants, p[0] and p[1] by side; those that end at 0 are left out.
  * `piece` has room for 2 pieces - 1, `edge` for one more. */
 static sf_system odd_system(const sf_law *const *law, Py_ssize_t pieces, const double *ends, const double *const p[2],
-                            const double *damping, sf_piece *piece, double *edge)
-{
+                            const double *damping, sf_piece *piece, double *edge) {
     int about = -1;
     for (Py_ssize_t i = 0; i < pieces; i++)
         about += i == pieces - 1 || ends[i] != 0.0;
@@ -426,7 +409,8 @@ static sf_system odd_system(const sf_law *const *law, Py_ssize_t pieces, const d
     return (sf_system){2 * about + 1, about, 1, piece, edge, damping[0], damping[1], 0, 0.0};
 }
 
-/* Designs of one mechanism whose force is odd: laws of its pieces; for each design constants and the ends of its pieces. */
+/* Designs of one mechanism whose force is odd: laws of its pieces; for each design constants and the ends of its
+ * pieces. */
 typedef struct {
     Py_buffer constants, ends;
     Py_ssize_t count, size, pieces;
@@ -436,8 +420,7 @@ typedef struct {
 } sf_designs;
 
 /* Room for so many designs, and whether what they are given as is theirs. */
-static int designs_fit(sf_designs *of, PyObject *laws, Py_ssize_t count)
-{
+static int designs_fit(sf_designs *of, PyObject *laws, Py_ssize_t count) {
     const Py_ssize_t one = (Py_ssize_t)sizeof(double);
     of->count = count, of->pieces = PyTuple_Size(laws), of->size = count ? of->constants.len / count / one : 0;
     of->law = PyMem_Calloc((size_t)of->pieces + 1, sizeof *of->law);
@@ -453,21 +436,19 @@ static int designs_fit(sf_designs *of, PyObject *laws, Py_ssize_t count)
 }
 
 /* Design k, until the next one is made. */
-static sf_system design(const sf_designs *of, Py_ssize_t k, const double *damping)
-{
+static sf_system design(const sf_designs *of, Py_ssize_t k, const double *damping) {
     double *const p[2] = {of->edge + 2 * of->pieces, of->edge + 2 * of->pieces + of->size + 1};
     const double *const both[2] = {p[0], p[1]};
     for (int side = 0; side < 2; side++) {
         memcpy(p[side], (const double *)of->constants.buf + k * of->size, (size_t)of->size * sizeof(double));
         p[side][of->size] = side ? 1.0 : -1.0;
     }
-    return odd_system(of->law, of->pieces, (const double *)of->ends.buf + k * (of->pieces - 1), both, damping, of->piece,
-                      of->edge);
+    return odd_system(of->law, of->pieces, (const double *)of->ends.buf + k * (of->pieces - 1), both, damping,
+                      of->piece, of->edge);
 }
 
 /* Of designs that fit, or not: None, or NULL with an error. */
-static PyObject *done_with(sf_designs *of, int fit)
-{
+static PyObject *done_with(sf_designs *of, int fit) {
     if (!fit && !PyErr_Occurred())
         PyErr_SetString(PyExc_ValueError, "arrays that do not fit the designs");
     PyMem_Free(of->law);
@@ -478,8 +459,7 @@ static PyObject *done_with(sf_designs *of, int fit)
 }
 
 /* Shocks of designs: for each mu and zeta, arcs and when they begin; out come the outcome and the numbers of each. */
-static PyObject *shocks(PyObject *self, PyObject *arguments)
-{
+static PyObject *shocks(PyObject *self, PyObject *arguments) {
     (void)self;
     PyObject *laws;
     sf_designs of = {0};
@@ -518,8 +498,7 @@ static PyObject *shocks(PyObject *self, PyObject *arguments)
 enum { SF_MOST_MOTIONS = 64, SF_DAMPED_BY = 7 };
 
 /* An sf_gaussian at each of several sigma, as bytes */
-static PyObject *averages(PyObject *self, PyObject *arguments)
-{
+static PyObject *averages(PyObject *self, PyObject *arguments) {
     (void)self;
     const sf_system *system;
     Py_buffer sigma;
@@ -545,14 +524,14 @@ static PyObject *averages(PyObject *self, PyObject *arguments)
 }
 
 /* An sf_table as bytes, of points that rise: frequency and density of each */
-static PyObject *table(PyObject *self, PyObject *arguments)
-{
+static PyObject *table(PyObject *self, PyObject *arguments) {
     (void)self;
     Py_buffer points;
     if (!PyArg_ParseTuple(arguments, "y*", &points))
         return NULL;
     const int count = (int)(points.len / (Py_ssize_t)(2 * sizeof(double)));
-    const Py_ssize_t size = (Py_ssize_t)(sizeof(sf_table) + (size_t)sf_read_table(points.buf, count, NULL) * sizeof(sf_band));
+    const Py_ssize_t size =
+        (Py_ssize_t)(sizeof(sf_table) + (size_t)sf_read_table(points.buf, count, NULL) * sizeof(sf_band));
     PyObject *const found = PyBytes_FromStringAndSize(NULL, size);
     if (found != NULL)
         sf_read_table(points.buf, count, (sf_table *)PyBytes_AsString(found));
@@ -562,8 +541,7 @@ static PyObject *table(PyObject *self, PyObject *arguments)
 
 /* ln I_0 and ln I_2 of a table, their slopes by p and q, and between which ends these and that by p at a constant
  * damping ratio are within radii of p and of the logarithm of that ratio: eighteen numbers as bytes */
-static PyObject *moments(PyObject *self, PyObject *arguments)
-{
+static PyObject *moments(PyObject *self, PyObject *arguments) {
     (void)self;
     Py_buffer table;
     double p, q, r[2], found[18];
@@ -579,8 +557,7 @@ static PyObject *moments(PyObject *self, PyObject *arguments)
 
 /* (k and c next to which there may be others, or 0, k = -1 where friction holds the mass; an sf_stationary each, as
  * bytes), of the power of white noise or a table */
-static PyObject *stationary(PyObject *self, PyObject *arguments)
-{
+static PyObject *stationary(PyObject *self, PyObject *arguments) {
     (void)self;
     PyObject *excitation;
     const sf_system *system;
@@ -605,26 +582,31 @@ static PyObject *stationary(PyObject *self, PyObject *arguments)
 }
 
 /* The same of designs under white noise or a table, for each mu, zeta, c_2, c_3, zeta_2, whether friction ends at the
- * first breakpoint and load, and the power; out come how many there are, -1 where that is undecided, and places for these. */
-static PyObject *stationary_of_each(PyObject *self, PyObject *arguments)
-{
+ * first breakpoint and load, and the power; out come how many there are, -1 where that is undecided, and places for
+ * these. */
+static PyObject *stationary_of_each(PyObject *self, PyObject *arguments) {
     (void)self;
     PyObject *laws;
     sf_designs of = {0};
     Py_buffer damping, power, table, counts, out;
-    if (!PyArg_ParseTuple(arguments, "O!y*y*y*y*y*w*w*", &PyTuple_Type, &laws, &of.constants, &of.ends, &damping, &power,
-                          &table, &counts, &out))
+    if (!PyArg_ParseTuple(arguments, "O!y*y*y*y*y*w*w*", &PyTuple_Type, &laws, &of.constants, &of.ends, &damping,
+                          &power, &table, &counts, &out))
         return NULL;
     const Py_ssize_t count = counts.len, one = (Py_ssize_t)sizeof(double);
     const Py_ssize_t max_count = count ? out.len / count / (Py_ssize_t)sizeof(sf_stationary) : 0;
-    const int fit = designs_fit(&of, laws, count) && (table.len || power.len == count * one) && damping.len == SF_DAMPED_BY * count * one &&
+    const int fit = designs_fit(&of, laws, count) && (table.len || power.len == count * one) &&
+                    damping.len == SF_DAMPED_BY * count * one &&
                     out.len == count * max_count * (Py_ssize_t)sizeof(sf_stationary);
     if (fit) {
         Py_BEGIN_ALLOW_THREADS
         for (Py_ssize_t k = 0; k < count; k++) {
             const double *const own = (const double *)damping.buf + SF_DAMPED_BY * k;
             sf_system system = design(&of, k, own);
-            system.c_2 = own[2], system.c_3 = own[3], system.zeta_2 = own[4], system.released = own[5] != 0.0, system.load = own[6];
+            system.c_2 = own[2];
+            system.c_3 = own[3];
+            system.zeta_2 = own[4];
+            system.released = own[5] != 0.0;
+            system.load = own[6];
             sf_motions found = {.max_count = (int)max_count, .at = (sf_stationary *)out.buf + k * max_count};
             if (sf_motions_of(&system, table.len ? 0.0 : ((const double *)power.buf)[k], table.buf, &found) < 1)
                 found.undecided[0] = -1.0;
@@ -638,7 +620,8 @@ static PyObject *stationary_of_each(PyObject *self, PyObject *arguments)
 
 static PyMethodDef methods[] = {
     {"system", make_system, METH_VARARGS,
-     "laws, constants, edges, about, odd, mu, zeta, inertial, load, c_2, released, mu_s, eta, c_3, zeta_2 -> an oscillator."},
+     "laws, constants, edges, about, odd, mu, zeta, inertial, load, c_2, released, mu_s, eta, c_3, zeta_2 -> an "
+     "oscillator."},
     {"laws", laws, METH_O, "The laws of a table in a shared library, by name."},
     {"interpreted", interpreted, METH_VARARGS, "name, code, numbers -> a law, None where it is too large."},
     {"polynomials", polynomials, METH_VARARGS, "rows for u < 0, for u > 0 -> a law."},
@@ -670,8 +653,7 @@ static PyMethodDef methods[] = {
     {NULL, NULL, 0, NULL},
 };
 
-static int fill(PyObject *self)
-{
+static int fill(PyObject *self) {
     PyObject *const laws = laws_of(sf_laws);
     const int failed = laws == NULL || PyModule_AddObjectRef(self, "LAWS", laws) < 0;
     Py_XDECREF(laws);
@@ -687,7 +669,4 @@ static struct PyModuleDef definition = {
     PyModuleDef_HEAD_INIT, "_exact", "The equation of motion, compiled.", 0, methods, slots, NULL, NULL, NULL,
 };
 
-PyMODINIT_FUNC PyInit__exact(void)
-{
-    return PyModuleDef_Init(&definition);
-}
+PyMODINIT_FUNC PyInit__exact(void) { return PyModuleDef_Init(&definition); }

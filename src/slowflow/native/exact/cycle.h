@@ -31,8 +31,7 @@ typedef struct {
 static inline size_t sf_numbers(long k) { return (size_t)(k + 2) + (k + 2) * (k + 4) + (k + 4) + 2 * k * (k + 4); }
 
 /* Equations with their arrays one after the other in sf_numbers(k) numbers. */
-static inline sf_equations sf_equations_in(double *numbers, sf_border *at, long k)
-{
+static inline sf_equations sf_equations_in(double *numbers, sf_border *at, long k) {
     const long n = k + 4;
     return (sf_equations){.residual = numbers,
                           .jacobian = numbers + (k + 2),
@@ -42,15 +41,13 @@ static inline sf_equations sf_equations_in(double *numbers, sf_border *at, long 
 }
 
 /* Turns a row of derivatives whose last is by the amplitude of the force into one by that of the excitation. */
-static inline void sf_excited(double *row, long n, double by_Omega, double by_F_0)
-{
+static inline void sf_excited(double *row, long n, double by_Omega, double by_F_0) {
     row[n - 2] += by_Omega * row[n - 1];
     row[n - 1] *= by_F_0;
 }
 
 /* Takes note of |u| at a switch, and of its derivatives by the unknowns, where it is the largest up to there. */
-static inline void sf_reached(sf_equations *out, double u, const double *of_u, long n)
-{
+static inline void sf_reached(sf_equations *out, double u, const double *of_u, long n) {
     if (!(fabs(u) > out->A))
         return;
     out->A = fabs(u);
@@ -59,8 +56,7 @@ static inline void sf_reached(sf_equations *out, double u, const double *of_u, l
 }
 
 static sf_outcome sf_cycle_equations(sf_forced *forced, const sf_cycle *cycle, const double *z, sf_equations *out,
-                                     double *work)
-{
+                                     double *work) {
     const sf_system *const system = forced->system;
     const long k = cycle->k, n = k + 4;
     const double Omega = forced->Omega = z[k + 2];
@@ -183,8 +179,7 @@ static sf_outcome sf_cycle_equations(sf_forced *forced, const sf_cycle *cycle, c
 
 /* Solves m x = b for two right-hand sides, b[0] and b[1], in place, by elimination with partial pivoting; 0 where m is
  * singular. */
-static int sf_solve(double *m, long n, double *const b[2])
-{
+static int sf_solve(double *m, long n, double *const b[2]) {
     for (long i = 0; i < n; i++) {
         long best = i;
         for (long r = i + 1; r < n; r++)
@@ -233,14 +228,12 @@ typedef struct {
 /* The column of an unknown while the equations are solved: spans backwards, then u_0, theta_0, Omega. The equation of a
  * switch holds no later span, so all but four rows have zeros where a column is cleared, and elimination, which passes
  * over them, takes k^2 operations. */
-static inline long sf_column(long unknown, long k)
-{
+static inline long sf_column(long unknown, long k) {
     return unknown < 2 ? k + unknown : unknown < k + 2 ? k + 1 - unknown : unknown;
 }
 
 /* a row of `size` numbers by unknown, by column */
-static inline void sf_in_columns(const double *row, long k, long size, double *out)
-{
+static inline void sf_in_columns(const double *row, long k, long size, double *out) {
     for (long j = 0; j < size; j++)
         out[sf_column(j, k)] = row[j];
 }
@@ -248,8 +241,7 @@ static inline void sf_in_columns(const double *row, long k, long size, double *o
 /* Newton's iteration from z, which it changes. SF_DIVERGES where it does not converge. `along`, if not NULL: the
  * solution of J x = 0, row x = 1 at the end. `work`: (k + 3)^2 + 2 (k + 3) + 3 (k + 4) numbers. */
 static sf_outcome sf_newton(sf_forced *forced, const sf_cycle *cycle, double *z, const sf_extra *extra, int most,
-                            double tolerance, sf_equations *out, double *direction, double *work)
-{
+                            double tolerance, sf_equations *out, double *direction, double *work) {
     const long k = cycle->k, n = k + 4, size = k + 2 + (extra->kind != SF_NO_MORE);
     double *const m = work, *const solved = m + size * size, *const turned = solved + size, *const rest = turned + size;
     double last = HUGE_VAL;
@@ -270,8 +262,7 @@ static sf_outcome sf_newton(sf_forced *forced, const sf_cycle *cycle, double *z,
             sf_in_columns(extra->row, k, size, m + (k + 2) * size);
             solved[k + 2] = -value, turned[k + 2] = 1.0;
             error = fmax(error, fabs(value));
-        }
-        else if (extra->kind == SF_BORDER) {
+        } else if (extra->kind == SF_BORDER) {
             if (extra->border >= out->borders)
                 return SF_DIVERGES;
             sf_in_columns(out->gradients + extra->border * n, k, size, m + (k + 2) * size);

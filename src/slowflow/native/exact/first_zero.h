@@ -11,8 +11,7 @@ typedef enum { SF_NONE, SF_ONE, SF_UNDECIDED } sf_found;
 enum { SF_DEEPEST = 60 };
 
 /* Bernstein coefficients on [0, 1] of the polynomial with coefficients a, by sums alone */
-static void sf_bernstein(const double *a, double *b)
-{
+static void sf_bernstein(const double *a, double *b) {
     double binomial = 1.0; /* each an integer, and exact */
     for (int k = 0; k <= SF_ORDER; k++, binomial = binomial * (SF_ORDER + 1 - k) / k)
         b[k] = a[k] / binomial;
@@ -22,8 +21,7 @@ static void sf_bernstein(const double *a, double *b)
 }
 
 /* a(x) and a'(x), by Horner's rule for even and odd powers apart: a(x) = E(x^2) + x D(x^2) */
-static inline double sf_value_and_slope(const double *a, double x, double *slope)
-{
+static inline double sf_value_and_slope(const double *a, double x, double *slope) {
     const double square = x * x;
     double even = a[SF_ORDER], odd = a[SF_ORDER - 1], of_even = 0.0, of_odd = 0.0;
     for (int k = SF_ORDER - 2; k >= 2; k -= 2) {
@@ -37,8 +35,7 @@ static inline double sf_value_and_slope(const double *a, double x, double *slope
 
 /* The zero between low, where the polynomial is positive, and high, where it is not, and the values there: Newton's
  * iteration from their chord, kept inside. */
-static double sf_refined(const double *a, double low, double high)
-{
+static double sf_refined(const double *a, double low, double high) {
     double slope;
     const double above = sf_value_and_slope(a, low, &slope), below = sf_value_and_slope(a, high, &slope);
     double x = low + (high - low) * (above / (above - below));
@@ -61,8 +58,7 @@ static double sf_refined(const double *a, double low, double high)
 
 /* b: Bernstein coefficients on [low, high], good to `noise` */
 static sf_found sf_first_within(const double *a, const double *b, double low, double high, double noise, int depth,
-                                double *zero)
-{
+                                double *zero) {
     int changes = 0, clear = 1;
     double before = 1.0, most = 0.0;
     for (int k = 0; k <= SF_ORDER; k++) {
@@ -106,8 +102,7 @@ static sf_found sf_first_within(const double *a, const double *b, double low, do
 
 /* The first zero on (0, 1] of the polynomial a, which is positive to the right of 0: at 0 itself where it is not. Where
  * it only touches zero within rounding, and is positive beyond, that is UNDECIDED and *zero says where. */
-static sf_found sf_first_zero(const double *a, double *zero)
-{
+static sf_found sf_first_zero(const double *a, double *zero) {
     *zero = 0.0;
     if (!(a[0] > 0.0))
         return SF_ONE;

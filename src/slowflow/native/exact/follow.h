@@ -19,13 +19,13 @@ typedef struct {
     const sf_piece *piece;
     const double *edge;
     double mu, zeta;
-    int inertial; /* whether F_0 means a force F_0 Omega^2 */
-    double load;  /* static force besides that */
-    double c_2;   /* quadratic damping */
-    int released; /* whether friction acts on piece `about` only */
-    double mu_s;  /* what friction holds a mass at rest with, where that is more than mu */
-    double jump;  /* f(0+): where it is not 0 piece `about` is the place u = 0, without width, with f = 0 */
-    double eta;   /* structural damping, (eta/Omega) u' */
+    int inertial;       /* whether F_0 means a force F_0 Omega^2 */
+    double load;        /* static force besides that */
+    double c_2;         /* quadratic damping */
+    int released;       /* whether friction acts on piece `about` only */
+    double mu_s;        /* what friction holds a mass at rest with, where that is more than mu */
+    double jump;        /* f(0+): where it is not 0 piece `about` is the place u = 0, without width, with f = 0 */
+    double eta;         /* structural damping, (eta/Omega) u' */
     double c_3, zeta_2; /* cubic damping, and the growth of zeta with u^2 */
 } sf_system;
 
@@ -50,104 +50,89 @@ typedef struct {
     sf_phase *at;
 } sf_phases;
 
-static inline const sf_piece *sf_piece_of(const sf_system *system, int region)
-{
+static inline const sf_piece *sf_piece_of(const sf_system *system, int region) {
     return &system->piece[system->about + region];
 }
 
 /* amplitude of the force */
-static inline double sf_forcing(const sf_forced *forced)
-{
+static inline double sf_forcing(const sf_forced *forced) {
     return forced->system->inertial ? inertia_force(forced->Omega, forced->F_0) : forced->F_0;
 }
 
 /* friction on a piece, of a mass that slips and at rest */
-static inline double sf_friction(const sf_system *system, int region)
-{
+static inline double sf_friction(const sf_system *system, int region) {
     return system->released && region != 0 ? 0.0 : system->mu;
 }
-static inline double sf_static(const sf_system *system, int region)
-{
+static inline double sf_static(const sf_system *system, int region) {
     return system->released && region != 0 ? 0.0 : fmax(system->mu, system->mu_s);
 }
 
 /* the largest push against which a mass rests there: at u = 0 what the force jumps to holds it too */
-static inline double sf_holding(const sf_system *system, int region)
-{
+static inline double sf_holding(const sf_system *system, int region) {
     return sf_static(system, region) + (region == 0 ? system->jump : 0.0);
 }
 
 /* the region into which a mass slips from that one */
-static inline int sf_beyond(const sf_system *system, int slip, int region)
-{
+static inline int sf_beyond(const sf_system *system, int slip, int region) {
     return region + slip == 0 && system->jump != 0.0 ? slip : region + slip;
 }
 
 /* of a mass that stops at u in that region */
-static inline int sf_stopped(const sf_system *system, int region, double u)
-{
+static inline int sf_stopped(const sf_system *system, int region, double u) {
     return u == 0.0 && system->jump != 0.0 ? 0 : region;
 }
 
 /* how many zeros v has in time where a mass breaks away: two, as the push balances friction, unless static friction
  * is larger */
-static inline int sf_zeros_of_start(const sf_system *system, int region)
-{
+static inline int sf_zeros_of_start(const sf_system *system, int region) {
     return sf_static(system, region) > sf_friction(system, region) ? 1 : 2;
 }
 
 /* the viscous damping ratio of motions at Omega, structural damping among it, and its slope by Omega */
-static inline void sf_damping(const sf_forced *forced, double damping[2])
-{
+static inline void sf_damping(const sf_forced *forced, double damping[2]) {
     damping[0] = damping[1] = 0.0;
     if (forced->system->eta != 0.0)
         motion_structural(forced->Omega, forced->system->eta, damping);
     damping[0] += forced->system->zeta;
 }
 
-static inline sf_drive sf_drive_of(const sf_forced *forced, int slip, int region)
-{
+static inline sf_drive sf_drive_of(const sf_forced *forced, int slip, int region) {
     const sf_system *const system = forced->system;
     const double friction = slip * sf_friction(system, region) - system->load;
     double zeta[2];
     sf_damping(forced, zeta);
-    return (sf_drive){forced->Omega, sf_forcing(forced), zeta[0], friction, slip * system->c_2, zeta[1],
-                      system->c_3, system->zeta_2};
+    return (sf_drive){forced->Omega, sf_forcing(forced), zeta[0],       friction, slip * system->c_2,
+                      zeta[1],       system->c_3,        system->zeta_2};
 }
 
 /* what friction has to hold at rest */
-static inline double sf_push(const sf_forced *forced, int region, double theta, double u)
-{
+static inline double sf_push(const sf_forced *forced, int region, double theta, double u) {
     const sf_system *const system = forced->system;
     return motion_push(cos(theta), sf_forcing(forced), sf_value(sf_piece_of(system, region), u) - system->load);
 }
 
 /* its derivatives by theta, u and the amplitude of the force */
-static inline void sf_push_slopes(const sf_forced *forced, int region, double theta, double u, double by[3])
-{
+static inline void sf_push_slopes(const sf_forced *forced, int region, double theta, double u, double by[3]) {
     motion_push_slopes(cos(theta), sin(theta), sf_forcing(forced), sf_slope(sf_piece_of(forced->system, region), u),
                        by);
 }
 
-static inline double sf_acceleration(const sf_forced *forced, int slip, int region, double theta, double u, double v)
-{
+static inline double sf_acceleration(const sf_forced *forced, int slip, int region, double theta, double u, double v) {
     const sf_system *const system = forced->system;
     double resists[3], zeta[2];
     sf_damping(forced, zeta);
-    motion_resistance(v, zeta[0], slip * sf_friction(system, region), slip * system->c_2, system->c_3, system->zeta_2, u,
-                      resists);
+    motion_resistance(v, zeta[0], slip * sf_friction(system, region), slip * system->c_2, system->c_3, system->zeta_2,
+                      u, resists);
     return motion_acceleration(cos(theta), v, sf_forcing(forced), zeta[0], resists[0],
                                sf_value(sf_piece_of(system, region), u) - system->load);
 }
 
-static inline double sf_edge_ahead(const sf_system *system, int slip, int region)
-{
+static inline double sf_edge_ahead(const sf_system *system, int slip, int region) {
     return system->edge[system->about + region + (slip > 0)];
 }
 
 /* an edge belongs to the piece below it, where the force is odd to the inner one */
-static inline int sf_region_of(const sf_system *system, double u)
-{
+static inline int sf_region_of(const sf_system *system, double u) {
     int index = 0;
     for (int i = 1; i < system->pieces; i++)
         index += system->odd && i <= system->about ? u >= system->edge[i] : u > system->edge[i];
@@ -155,8 +140,7 @@ static inline int sf_region_of(const sf_system *system, double u)
 }
 
 /* when and in which direction a mass at rest at u moves off, at or after theta; infinity and 0 if never */
-static double sf_break_away(const sf_forced *forced, int region, double theta, double u, int *direction)
-{
+static double sf_break_away(const sf_forced *forced, int region, double theta, double u, int *direction) {
     const sf_system *const system = forced->system;
     const double force = sf_value(sf_piece_of(system, region), u) - system->load;
     const double amplitude = sf_forcing(forced);
@@ -176,8 +160,7 @@ static double sf_break_away(const sf_forced *forced, int region, double theta, d
 }
 
 /* what follows a stop reached in direction slip: the next direction, 0 if friction holds the mass */
-static inline int sf_after_stop(const sf_forced *forced, int slip, int region, double theta, double u)
-{
+static inline int sf_after_stop(const sf_forced *forced, int slip, int region, double theta, double u) {
     const double push = sf_push(forced, region, theta, u), holds = sf_holding(forced->system, region);
     if (holds > 0 && fabs(push) <= holds)
         return 0;
@@ -187,8 +170,7 @@ static inline int sf_after_stop(const sf_forced *forced, int slip, int region, d
 /* Slip from (theta, u, v) up to the first stop, to u = edge, or to `end`. `zeros`: of the velocity at the start, 0 if
  * it moves, 1 from rest, 2 where the acceleration vanishes too, at break-away. */
 static sf_outcome sf_until(const sf_piece *over, const sf_drive *drive, int slip, double edge, double end, int zeros,
-                           double *theta, double *u, double *v, long *left, sf_event *event, _Bool *undecided)
-{
+                           double *theta, double *u, double *v, long *left, sf_event *event, _Bool *undecided) {
     const double start = *theta, whole = (end - start) / drive->Omega;
     double passed = 0.0;
     sf_expansion x;
@@ -235,8 +217,7 @@ static sf_outcome sf_until(const sf_piece *over, const sf_drive *drive, int slip
 
 /* State at `end`, which may lie before theta, and its derivatives by the state at theta, Omega and F_0. */
 static sf_outcome sf_advance(const sf_piece *over, const sf_drive *drive, double theta, double end, double *u,
-                             double *v, sf_four flow[2], long *left)
-{
+                             double *v, sf_four flow[2], long *left) {
     const double start = theta, whole = (end - start) / drive->Omega;
     double passed = 0.0;
     sf_expansion x;
@@ -265,8 +246,8 @@ static sf_outcome sf_advance(const sf_piece *over, const sf_drive *drive, double
 
 /* Of a phase u, v and the acceleration of the mass, in the inertial frame, on a grid of theta that does not fall,
  * at or after its start. */
-static sf_outcome sf_sample(sf_forced *forced, const sf_phase *phase, const double *grid, long count, double (*out)[3])
-{
+static sf_outcome sf_sample(sf_forced *forced, const sf_phase *phase, const double *grid, long count,
+                            double (*out)[3]) {
     const double start = phase->theta;
     const sf_piece *const over = sf_piece_of(forced->system, phase->region);
     const sf_drive drive = sf_drive_of(forced, phase->slip, phase->region);
@@ -302,8 +283,7 @@ static sf_outcome sf_sample(sf_forced *forced, const sf_phase *phase, const doub
     return SF_GOOD;
 }
 
-static int sf_append(sf_phases *phases, sf_phase phase)
-{
+static int sf_append(sf_phases *phases, sf_phase phase) {
     if (phases->count == phases->room) {
         const long room = 2 * phases->room + 16;
         sf_phase *const more = realloc(phases->at, (size_t)room * sizeof *more);
@@ -316,8 +296,7 @@ static int sf_append(sf_phases *phases, sf_phase phase)
 }
 
 /* adds a rest, or prolongs one that the last phase is */
-static int sf_rest(sf_phases *phases, int region, double *theta, double u, double until, double end)
-{
+static int sf_rest(sf_phases *phases, int region, double *theta, double u, double until, double end) {
     const int event = until < end ? SF_STOP : SF_TIME;
     sf_phase *const last = phases->count ? &phases->at[phases->count - 1] : NULL;
     const double from = *theta;
@@ -331,15 +310,13 @@ static int sf_rest(sf_phases *phases, int region, double *theta, double u, doubl
 
 /* All phases from (theta, u, v) to `end`; `start` = {slip, region} overrides the state, e.g. at break-away. */
 static sf_outcome sf_follow(sf_forced *forced, double theta, double u, double v, double end, const int *start,
-                            sf_phases *phases)
-{
+                            sf_phases *phases) {
     const sf_system *const system = forced->system;
     int slip, region, zeros = v == 0.0;
     if (start != NULL) {
         slip = start[0], region = start[1];
         zeros = v != 0.0 ? 0 : slip && slip * sf_acceleration(forced, slip, region, theta, u, 0.0) > 0.0 ? 1 : 2;
-    }
-    else {
+    } else {
         region = sf_region_of(system, u);
         slip = v != 0 ? (v > 0 ? 1 : -1) : sf_after_stop(forced, 0, region, theta, u);
         if (slip != 0 && u == sf_edge_ahead(system, slip, region))
@@ -370,7 +347,7 @@ static sf_outcome sf_follow(sf_forced *forced, double theta, double u, double v,
         const sf_outcome outcome = sf_until(sf_piece_of(system, region), &drive, slip, edge, end, zeros, &theta, &u, &v,
                                             &forced->left, &event, &phase.undecided);
         if (outcome != SF_GOOD || (event == SF_EDGE && slip * u >= SF_FAR)) { /* beyond it there is no piece */
-            phase.end = theta, phase.u_end = u, phase.v_end = v; /* where the motion is lost */
+            phase.end = theta, phase.u_end = u, phase.v_end = v;              /* where the motion is lost */
             return !sf_append(phases, phase) ? SF_NO_MEMORY : outcome != SF_GOOD ? outcome : SF_ESCAPES;
         }
         if (zeros && event == SF_STOP && theta - phase.theta < SF_GLIMPSE && sf_holding(system, region) > 0) {
@@ -392,8 +369,7 @@ static sf_outcome sf_follow(sf_forced *forced, double theta, double u, double v,
             region = sf_stopped(system, region, u);
             slip = sf_after_stop(forced, slip, region, theta, u);
             zeros = 1;
-        }
-        else if (event == SF_EDGE)
+        } else if (event == SF_EDGE)
             region += slip;
     }
     return SF_GOOD;

@@ -23,8 +23,8 @@ enum { SF_MOMENTS = 2 * SF_FORCE_DEGREE + 2 };
 #define SF_ROUNDED 0x1p-45
 /* of the range of f/u: by how much it may be off between samples */
 #define SF_APART 0.01
-/* of the averages' sizes: how far they may be off, by far; of the sizes that there are: how far is searched; of sigma: a
- * cell that is not cut any more */
+/* of the averages' sizes: how far they may be off, by far; of the sizes that there are: how far is searched; of sigma:
+ * a cell that is not cut any more */
 #define SF_ERROR 0x1p-42
 #define SF_SEARCHED 1e8
 #define SF_NARROW 0x1p-40
@@ -46,9 +46,9 @@ typedef struct {
     double low, high;
 } sf_ends;
 
-/* The force for u > 0: its pieces, or parts of these without a change of sign, where what is summed is smooth. small, large:
- * the sizes that there are; hardens: whether f/u is known not to fall; pulls: and not to be negative. Of other forces u and
- * secants are samples by rising u, and between which ends f/u is up to there */
+/* The force for u > 0: its pieces, or parts of these without a change of sign, where what is summed is smooth. small,
+ * large: the sizes that there are; hardens: whether f/u is known not to fall; pulls: and not to be negative. Of other
+ * forces u and secants are samples by rising u, and between which ends f/u is up to there */
 typedef struct {
     double small, large;
     int count, samples, hardens, pulls;
@@ -57,8 +57,7 @@ typedef struct {
     sf_ends secants[SF_MOST_SAMPLES];
 } sf_positive;
 
-static void sf_put_piece(const sf_piece *piece, double low, double high, sf_part_of_force *to)
-{
+static void sf_put_piece(const sf_piece *piece, double low, double high, sf_part_of_force *to) {
     to->piece = piece, to->low = low, to->high = high, to->degree = -1, to->odd = 1;
     if (piece->law->powers != NULL)
         to->degree = piece->law->powers(piece->p[1], to->c);
@@ -66,8 +65,7 @@ static void sf_put_piece(const sf_piece *piece, double low, double high, sf_part
         to->odd &= to->c[k] == 0.0;
 }
 
-static void sf_put_pieces(const sf_system *system, sf_positive *to)
-{
+static void sf_put_pieces(const sf_system *system, sf_positive *to) {
     to->count = to->samples = 0;
     for (int i = system->about + (system->jump != 0.0); i < system->pieces && to->count < SF_MOST_FORCE_PARTS; i++)
         sf_put_piece(&system->piece[i], fmax(system->edge[i], 0.0),
@@ -75,8 +73,7 @@ static void sf_put_pieces(const sf_system *system, sf_positive *to)
 }
 
 /* A piece, cut where its force changes its sign between samples. */
-static void sf_add_parts(const sf_part_of_force *whole, sf_positive *to)
-{
+static void sf_add_parts(const sf_part_of_force *whole, sf_positive *to) {
     const sf_piece *const piece = whole->piece;
     const double from = fmax(whole->low, 0.01 * to->small / SF_SEARCHED);
     const double top = fmin(whole->high, 2.0 * SF_FARTHEST * to->large * SF_SEARCHED);
@@ -103,10 +100,9 @@ static void sf_add_parts(const sf_part_of_force *whole, sf_positive *to)
     to->at[to->count++] = part;
 }
 
-/* How often the coefficients of a polynomial change their sign about a place, -1 where rounding does not tell. They are left
- * there, with the sizes of their terms, and the first and the last sign, 0 if all are 0. */
-static int sf_sign_changes(double *c, double *size, int degree, double place, int sign[2])
-{
+/* How often the coefficients of a polynomial change their sign about a place, -1 where rounding does not tell. They are
+ * left there, with the sizes of their terms, and the first and the last sign, 0 if all are 0. */
+static int sf_sign_changes(double *c, double *size, int degree, double place, int sign[2]) {
     int changes = 0;
     sign[0] = sign[1] = 0;
     for (int k = 0; k <= degree; k++)
@@ -126,10 +122,9 @@ static int sf_sign_changes(double *c, double *size, int degree, double place, in
     return changes;
 }
 
-/* Whether f/u is known not to fall: u^2 times its slope has no negative coefficient about the begin of a piece, and the force
- * does not jump downwards. */
-static int sf_hardens(const sf_positive *pieces)
-{
+/* Whether f/u is known not to fall: u^2 times its slope has no negative coefficient about the begin of a piece, and the
+ * force does not jump downwards. */
+static int sf_hardens(const sf_positive *pieces) {
     for (int i = 0; i < pieces->count; i++) {
         const sf_part_of_force *const at = &pieces->at[i];
         double c[SF_FORCE_DEGREE + 1], size[SF_FORCE_DEGREE + 1];
@@ -145,8 +140,7 @@ static int sf_hardens(const sf_positive *pieces)
     return 1;
 }
 
-static void sf_put_parts(const sf_system *system, double small, double large, sf_positive *to)
-{
+static void sf_put_parts(const sf_system *system, double small, double large, sf_positive *to) {
     sf_positive whole;
     sf_put_pieces(system, &whole);
     to->hardens = sf_hardens(&whole);
@@ -173,8 +167,7 @@ static inline double sf_third(const sf_gaussian *at) { return at->third[0] - at-
 
 /* What a piece adds from x = low to high, parts 2 h wide: exp(-x^2/2) at x = m + h t is exp(-m^2/2) exp(-m h t)
  * exp(-h^2 t^2/2), of which the second goes from part to part by products. */
-static void sf_add_piece(const sf_piece *piece, double low, double high, sf_gaussian *to)
-{
+static void sf_add_piece(const sf_piece *piece, double low, double high, sf_gaussian *to) {
     const int pieces = (int)fmax(SF_LEAST_PARTS, ceil((high - low) / SF_WIDEST));
     const double h = 0.5 * (high - low) / pieces, sigma = to->sigma;
     double near[SF_NODES], grows[SF_NODES], over[SF_NODES], positive[2] = {0.0}, negative[2] = {0.0}, square = 0.0;
@@ -204,8 +197,7 @@ static void sf_add_piece(const sf_piece *piece, double low, double high, sf_gaus
 }
 
 /* Between which ends f/u is up to some u, a little wider than samples have it. */
-static sf_ends sf_secants_up_to(const sf_positive *force, double u)
-{
+static sf_ends sf_secants_up_to(const sf_positive *force, double u) {
     int i = 0;
     if (force->pulls) {
         while (i + 1 < force->count && force->at[i].high < u)
@@ -222,8 +214,7 @@ static sf_ends sf_secants_up_to(const sf_positive *force, double u)
 }
 
 /* The moments of x^0 to x^last beyond an end: of positive terms. */
-static void sf_put_moments_beyond(double low, int last, double *m)
-{
+static void sf_put_moments_beyond(double low, int last, double *m) {
     const double density = SF_DENSITY * exp(-0.5 * low * low);
     double power = density;
     m[0] = erfc(low * 0.70710678118654752), m[1] = density;
@@ -231,9 +222,9 @@ static void sf_put_moments_beyond(double low, int last, double *m)
         power *= low, m[n] = (n - 1) * m[n - 2] + power;
 }
 
-/* Those of even powers up to an end: from x^0 upwards, or where that cancels from the series of the last one downwards. */
-static void sf_put_moments_up_to(double high, int last, double *m)
-{
+/* Those of even powers up to an end: from x^0 upwards, or where that cancels from the series of the last one downwards.
+ */
+static void sf_put_moments_up_to(double high, int last, double *m) {
     const double xx = high * high, density = high < SF_FARTHEST ? SF_DENSITY * exp(-0.5 * xx) : 0.0;
     double power[SF_MOMENTS];
     power[0] = density * high;
@@ -254,8 +245,7 @@ static void sf_put_moments_up_to(double high, int last, double *m)
 }
 
 /* What a polynomial adds up to x = high, if it is odd, or from x = low on. */
-static void sf_add_polynomial(const sf_part_of_force *part, double low, double high, sf_gaussian *to)
-{
+static void sf_add_polynomial(const sf_part_of_force *part, double low, double high, sf_gaussian *to) {
     const int least = low == 0.0 && part->odd, by = 1 + least, degree = part->degree;
     const int last = 2 * degree > degree + 3 ? 2 * degree : degree + 3;
     double m[SF_MOMENTS], f[SF_FORCE_DEGREE + 1], scale = 1.0, first = 0.0, third = 0.0;
@@ -273,8 +263,7 @@ static void sf_add_polynomial(const sf_part_of_force *part, double low, double h
     to->first[first < 0.0] += to->sigma * fabs(first), to->third[third < 0.0] += to->sigma * fabs(third);
 }
 
-static sf_gaussian sf_averages(const sf_positive *force, double sigma)
-{
+static sf_gaussian sf_averages(const sf_positive *force, double sigma) {
     sf_gaussian found = {.sigma = sigma};
     for (int i = 0; i < force->count; i++) {
         const sf_part_of_force *const part = &force->at[i];
@@ -290,10 +279,9 @@ static sf_gaussian sf_averages(const sf_positive *force, double sigma)
 }
 
 /* How often u f - square changes its sign, or 2 where that may be more than once. sigma (E[u f] - square) is a Laplace
- * transform of it, at 1/(2 sigma^2): it has no more zeros than that (Laguerre). In a part the coefficients about its begin
- * do not change their sign less often (Descartes), and once is as often as both ends say. */
-static int sf_changes(const sf_positive *force, double square)
-{
+ * transform of it, at 1/(2 sigma^2): it has no more zeros than that (Laguerre). In a part the coefficients about its
+ * begin do not change their sign less often (Descartes), and once is as often as both ends say. */
+static int sf_changes(const sf_positive *force, double square) {
     int changes = 0, before = -1;
     for (int i = 0; i < force->count; i++) {
         const sf_part_of_force *const part = &force->at[i];
@@ -318,37 +306,36 @@ static int sf_changes(const sf_positive *force, double square)
     return changes < 2 ? changes : 2;
 }
 
-/* A stationary motion: mean of u, root mean squares of u about it and of v, mean square of what the spring and the damping push
- * with, k, c, what of that is dry friction's, and the share of the time beyond the first breakpoint on either side. Python
- * reads this layout. */
+/* A stationary motion: mean of u, root mean squares of u about it and of v, mean square of what the spring and the
+ * damping push with, k, c, what of that is dry friction's, and the share of the time beyond the first breakpoint on
+ * either side. Python reads this layout. */
 typedef struct {
     double mean, u, v, square, k, c, dry, beyond;
 } sf_stationary;
 
-/* Motions that are found. max_count: room for so many; count: of all that there are; undecided: k and c next to which there
- * may be others, or 0 */
+/* Motions that are found. max_count: room for so many; count: of all that there are; undecided: k and c next to which
+ * there may be others, or 0 */
 typedef struct {
     int max_count, count;
     double undecided[2];
     sf_stationary *at;
 } sf_motions;
 
-/* Damping in the mean over u at a sigma_u: friction, which may end at a displacement, and the viscous ratio, with slopes by
- * ln(sigma_u). That of the logarithm of friction falls as sigma_u rises. level: the end over sigma_u; within: P(|u| < end) */
+/* Damping in the mean over u at a sigma_u: friction, which may end at a displacement, and the viscous ratio, with
+ * slopes by ln(sigma_u). That of the logarithm of friction falls as sigma_u rises. level: the end over sigma_u; within:
+ * P(|u| < end) */
 typedef struct {
     double mu, zeta, mu_slope, zeta_slope, level, within;
 } sf_over_u;
 
 /* of the piece about u = 0, on either side; infinite without another one */
-static inline void sf_first_ends(const sf_system *system, double ends[2])
-{
+static inline void sf_first_ends(const sf_system *system, double ends[2]) {
     const int width = system->jump != 0.0, below = system->about - width, above = system->about + 1 + width;
     ends[0] = below > 0 ? system->edge[below] : -HUGE_VAL;
     ends[1] = above < system->pieces ? system->edge[above] : HUGE_VAL;
 }
 
-static sf_over_u sf_damping_over_u(const sf_system *system, double sigma)
-{
+static sf_over_u sf_damping_over_u(const sf_system *system, double sigma) {
     double ends[2] = {-HUGE_VAL, HUGE_VAL};
     if (system->released)
         sf_first_ends(system, ends);
@@ -358,14 +345,13 @@ static sf_over_u sf_damping_over_u(const sf_system *system, double sigma)
     return (sf_over_u){of[0], of[1], of[2], of[3], level, within};
 }
 
-static inline void sf_equivalent_damping(const sf_system *system, double v, double mu, double zeta, double c[3])
-{
+static inline void sf_equivalent_damping(const sf_system *system, double v, double mu, double zeta, double c[3]) {
     linearization_equivalent_damping(v, mu, zeta, system->c_2, system->c_3, c);
 }
 
 /* square: of the spring's force */
-static void sf_put_motion(const sf_system *system, sf_motions *to, double mean, double sigma, double square, double v, double k)
-{
+static void sf_put_motion(const sf_system *system, sf_motions *to, double mean, double sigma, double square, double v,
+                          double k) {
     if (to->count++ >= to->max_count)
         return;
     const sf_over_u of = sf_damping_over_u(system, sigma);
@@ -379,8 +365,7 @@ static void sf_put_motion(const sf_system *system, sf_motions *to, double mean, 
     to->at[to->count - 1] = (sf_stationary){mean, sigma, v, square + resists, k, c[0], c[2], beyond};
 }
 
-static inline sf_ends sf_ends_of_product(sf_ends a, sf_ends b)
-{
+static inline sf_ends sf_ends_of_product(sf_ends a, sf_ends b) {
     const double each[4] = {a.low * b.low, a.low * b.high, a.high * b.low, a.high * b.high};
     sf_ends found = {each[0], each[0]};
     for (int i = 1; i < 4; i++) {
@@ -393,8 +378,7 @@ static inline sf_ends sf_ends_of_product(sf_ends a, sf_ends b)
 /* Between which ends the slopes of ln(c) by ln(sigma_v) and ln(sigma_u) are in a cell, for velocities v: that by
  * ln(sigma_v) rises with v, falls with friction, and is monotone in zeta. */
 static void sf_damping_within(const sf_system *system, const sf_over_u *a, const sf_over_u *b, sf_ends v, sf_ends *by_v,
-                              sf_ends *by_u)
-{
+                              sf_ends *by_u) {
     double slow[2][3], fast[2][3];
     for (int i = 0; i < 2; i++) {
         sf_equivalent_damping(system, v.low, a->mu, (i ? b : a)->zeta, slow[i]);
@@ -408,10 +392,10 @@ static void sf_damping_within(const sf_system *system, const sf_over_u *a, const
     *by_u = sf_ends_of_product(slope, (sf_ends){1.0 / most, 1.0 / least});
 }
 
-/* sigma_v under white noise of a power pi S_0 = c sigma_v^2, and c there; with friction and zeta alone in closed form. The
- * slope of ln(c) by ln(sigma_v) rises from -1 on: from the second step on Newton's iteration for that comes from above. */
-static double sf_velocity(const sf_system *system, double mu, double zeta, double power, double c[3])
-{
+/* sigma_v under white noise of a power pi S_0 = c sigma_v^2, and c there; with friction and zeta alone in closed form.
+ * The slope of ln(c) by ln(sigma_v) rises from -1 on: from the second step on Newton's iteration for that comes from
+ * above. */
+static double sf_velocity(const sf_system *system, double mu, double zeta, double power, double c[3]) {
     sf_equivalent_damping(system, 1.0, mu, 0.0, c);
     const double dry = c[2], resists = dry + sqrt(dry * dry + 8.0 * zeta * power);
     double v = resists > 0.0 ? 2.0 * power / resists : sqrt(power), step = 1.0;
@@ -439,8 +423,7 @@ typedef struct {
     sf_motions *found;
 } sf_balances;
 
-static sf_level sf_level_at(const sf_balances *of, double sigma)
-{
+static sf_level sf_level_at(const sf_balances *of, double sigma) {
     if (!of->varies && of->at.v > 0.0)
         return of->at;
     const sf_over_u at = sf_damping_over_u(of->system, sigma);
@@ -451,8 +434,7 @@ static sf_level sf_level_at(const sf_balances *of, double sigma)
 }
 
 /* Between which ends the level and its slope are in a cell. */
-static void sf_level_within(const sf_balances *of, double low, double high, sf_ends *square, sf_ends *slope)
-{
+static void sf_level_within(const sf_balances *of, double low, double high, sf_ends *square, sf_ends *slope) {
     *square = (sf_ends){of->at.square, of->at.square}, *slope = (sf_ends){0.0, 0.0};
     if (!of->varies)
         return;
@@ -468,8 +450,7 @@ static void sf_level_within(const sf_balances *of, double low, double high, sf_e
 }
 
 /* The root between two sigma where E[u f] less the level is monotone, by Newton's iteration for its logarithm. */
-static sf_gaussian sf_balanced(const sf_balances *of, double low, double high, int rises, sf_gaussian at)
-{
+static sf_gaussian sf_balanced(const sf_balances *of, double low, double high, int rises, sf_gaussian at) {
     for (int i = 0; i < SF_MOST_STEPS; i++) {
         const sf_level level = sf_level_at(of, at.sigma);
         const double first = sf_first(&at), excess = log(level.square / first);
@@ -491,15 +472,13 @@ static sf_gaussian sf_balanced(const sf_balances *of, double low, double high, i
     return at;
 }
 
-static void sf_put_balanced(const sf_balances *of, double low, double high, int rises, sf_gaussian from)
-{
+static void sf_put_balanced(const sf_balances *of, double low, double high, int rises, sf_gaussian from) {
     const sf_gaussian at = sf_balanced(of, low, high, rises, from);
     const sf_level level = sf_level_at(of, at.sigma); /* E[u f] itself cancels where a spring pushes away from 0 */
     sf_put_motion(of->system, of->found, 0.0, at.sigma, at.square, level.v, level.square / (at.sigma * at.sigma));
 }
 
-static void sf_search_balances(sf_balances *of, const sf_gaussian *a, const sf_gaussian *b)
-{
+static void sf_search_balances(sf_balances *of, const sf_gaussian *a, const sf_gaussian *b) {
     const double grows = b->sigma / a->sigma, cube = grows * grows * grows;
     const double least = a->first[0] / grows - b->first[1] * grows, most = b->first[0] * grows - a->first[1] / grows;
     const double error = SF_ERROR * (b->first[0] + b->first[1]);
@@ -530,8 +509,7 @@ static void sf_search_balances(sf_balances *of, const sf_gaussian *a, const sf_g
 }
 
 /* Under white noise of a power pi S_0 = c sigma_v^2: every stationary motion, by rising sigma_u. */
-static void sf_white(const sf_system *system, double power, sf_motions *found)
-{
+static void sf_white(const sf_system *system, double power, sf_motions *found) {
     sf_balances of = {.system = system, .power = power, .found = found};
     of.varies = system->released || system->zeta_2 != 0.0;
     of.at = sf_level_at(&of, 1.0);

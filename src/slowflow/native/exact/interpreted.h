@@ -1,5 +1,6 @@
 /* The pieces of a force from data, without a compiler. Takes words and numbers that the derivation writes
- * (derivations/codegen/targets/program); returns laws whose functions interpret them, to the bits of the printed ones. */
+ * (derivations/codegen/targets/program); returns laws whose functions interpret them, to the bits of the printed ones.
+ */
 #pragma once
 
 #include "step.h"
@@ -28,8 +29,7 @@ typedef struct {
     const double *p;
 } sf_interpreting;
 
-static double sf_run_at(const sf_straight *of, const double *p, double u)
-{
+static double sf_run_at(const sf_straight *of, const double *p, double u) {
     double x[SF_MOST_REGISTERS];
     memcpy(x, p, (size_t)(of->arguments - 1) * sizeof *x);
     x[of->arguments - 1] = u;
@@ -38,8 +38,7 @@ static double sf_run_at(const sf_straight *of, const double *p, double u)
 }
 
 #define SF_INTERPRETED(name, line)                                                                                     \
-    static double name(const sf_law *self, const double *p, double u)                                                  \
-    {                                                                                                                  \
+    static double name(const sf_law *self, const double *p, double u) {                                                \
         return sf_run_at(&((const sf_interpreted *)self)->line, p, u);                                                 \
     }
 SF_INTERPRETED(sf_interpreted_value, value)
@@ -47,8 +46,7 @@ SF_INTERPRETED(sf_interpreted_slope, slope)
 SF_INTERPRETED(sf_interpreted_begins, begins)
 #undef SF_INTERPRETED
 
-static void sf_interpreted_begin(const double *p, double *first, double *over)
-{
+static void sf_interpreted_begin(const double *p, double *first, double *over) {
     const sf_interpreting *const of = (const sf_interpreting *)p;
     const sf_straight *const begin = &of->by->begin;
     const int series = of->by->series;
@@ -61,8 +59,7 @@ static void sf_interpreted_begin(const double *p, double *first, double *over)
         first[i] = x[begin->output[i - 1]], over[i] = x[begin->output[series - 2 + i]];
 }
 
-static void sf_interpreted_next(const sf_coefficients *c, const double *p, double *w, sf_four *left, sf_four *right)
-{
+static void sf_interpreted_next(const sf_coefficients *c, const double *p, double *w, sf_four *left, sf_four *right) {
     const sf_interpreting *const of = (const sf_interpreting *)p;
     const sf_straight *const next = &of->by->next;
     const int series = of->by->series, sums = of->by->sums;
@@ -86,8 +83,7 @@ static void sf_interpreted_next(const sf_coefficients *c, const double *p, doubl
 }
 
 SF_FMA static void sf_interpreted_expand(const sf_law *self, const double *p, const sf_drive *drive, double theta,
-                                         double u, double v, const sf_four *flow, sf_expansion *x)
-{
+                                         double u, double v, const sf_four *flow, sf_expansion *x) {
     const sf_interpreted *const all = (const sf_interpreted *)self;
     const sf_recurrence *const by = flow != NULL ? &all->both : &all->force;
     const sf_interpreting of = {by, self->constants + 1, p};
@@ -99,8 +95,7 @@ SF_FMA static void sf_interpreted_expand(const sf_law *self, const double *p, co
 
 /* ---- reading */
 
-static void sf_read_recurrence(sf_reader *from, int constants, int slope, sf_recurrence *out)
-{
+static void sf_read_recurrence(sf_reader *from, int constants, int slope, sf_recurrence *out) {
     out->series = sf_size(from, 1, SF_MOST_SERIES);
     out->sums = 4 * sf_size(from, 0, SF_MOST_FOURS);
     out->value = sf_word(from, 0, out->series - 1);
@@ -116,9 +111,8 @@ static void sf_read_recurrence(sf_reader *from, int constants, int slope, sf_rec
 
 /* The law of a piece, which is never let go; NULL where the data is no program, is too large for it, or memory is
  * out. */
-static const sf_law *sf_read_law(const char *name, const int *code, size_t count, const double *numbers,
-                                 size_t length, sf_reading *status)
-{
+static const sf_law *sf_read_law(const char *name, const int *code, size_t count, const double *numbers, size_t length,
+                                 sf_reading *status) {
     sf_reader from = {code, code + count, numbers, numbers + length, NULL, SF_READ};
     sf_interpreted *const made = sf_room_for(&from, 1, sizeof *made);
     char *const called = sf_room_for(&from, (int)strlen(name) + 1, 1);

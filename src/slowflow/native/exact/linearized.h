@@ -23,9 +23,11 @@ enum { SF_IN_PART = 2 * SF_NODES };
 /* by how much less the lowest damping is taken to be; a lower damping ratio than that is taken for it */
 #define SF_MARGIN 1.5
 #define SF_LEAST_RATIO 0x1p-40
-/* of k over the square of a table's lowest frequency, below which it does not matter; by how much I_0 may change there */
+/* of k over the square of a table's lowest frequency, below which it does not matter; by how much I_0 may change there
+ */
 #define SF_SOFT 1e-6
-/* of ln(Omega): from where on a band is far from a pole; by how much -ln Z rises there with p at a constant damping ratio */
+/* of ln(Omega): from where on a band is far from a pole; by how much -ln Z rises there with p at a constant damping
+ * ratio */
 #define SF_FAR_BAND 0.5
 #define SF_FAR_RISES (2.0 / (1.0 - exp(-2.0 * SF_FAR_BAND)) - 1.0)
 enum { SF_TRIALS = 5, SF_MOST_HALVINGS = 20 };
@@ -38,8 +40,8 @@ enum { SF_TRIALS = 5, SF_MOST_HALVINGS = 20 };
 #define SF_ROUGH 0x1p-5
 #define SF_NEAREST 0x1p-28
 
-/* from low to high of ln(Omega); ln G is y + slope (ln Omega - x); G at low, the frequency `begin`, is by `rises` more than
- * below it; at the nodes Omega and G dOmega */
+/* from low to high of ln(Omega); ln G is y + slope (ln Omega - x); G at low, the frequency `begin`, is by `rises` more
+ * than below it; at the nodes Omega and G dOmega */
 typedef struct {
     double low, high, x, y, slope, begin, rises, Omega[SF_IN_PART], weight[SF_IN_PART];
 } sf_band;
@@ -52,10 +54,9 @@ typedef struct {
     sf_band band[];
 } sf_table;
 
-/* Of part of a band. G on both sides of its middle is a product and a quotient; Omega is as near as an exponential, since
- * next to a pole its rounding counts. */
-static void sf_put_nodes(const sf_band *line, double low, double high, double *Omega, double *weight)
-{
+/* Of part of a band. G on both sides of its middle is a product and a quotient; Omega is as near as an exponential,
+ * since next to a pole its rounding counts. */
+static void sf_put_nodes(const sf_band *line, double low, double high, double *Omega, double *weight) {
     const double m = 0.5 * (low + high), h = 0.5 * (high - low), G = h * exp(line->y + line->slope * (m - line->x));
     for (int j = 0; j < SF_NODES; j++) {
         const double x = h * sf_gauss_node[j], grows = exp(line->slope * x), of = sf_gauss_weight[j] * G;
@@ -65,16 +66,14 @@ static void sf_put_nodes(const sf_band *line, double low, double high, double *O
 }
 
 /* Parts of the straight line from a point (Omega, G) to the next one, 0 of a step. */
-static int sf_parts(const double *at, double *slope)
-{
+static int sf_parts(const double *at, double *slope) {
     const double width = log(at[2]) - log(at[0]);
     *slope = width > 0.0 ? (log(at[3]) - log(at[1])) / width : 0.0;
     return (int)ceil(width * (SF_PARTS + SF_PARTS_BY_SLOPE * fabs(*slope)));
 }
 
 /* The table of rising points, at least two; without one to write to only how many bands it has. */
-static int sf_read_table(const double (*points)[2], int count, sf_table *to)
-{
+static int sf_read_table(const double (*points)[2], int count, sf_table *to) {
     int bands = 0;
     double slope, below = 0.0, largest = 0.0;
     sf_table read = {.least = HUGE_VAL, .most = -HUGE_VAL};
@@ -83,8 +82,8 @@ static int sf_read_table(const double (*points)[2], int count, sf_table *to)
         const double x = log(points[i][0]), y = log(points[i][1]), width = log(points[i + 1][0]) - x;
         for (int j = 0; to != NULL && j < pieces; j++) {
             sf_band *const band = &to->band[bands + j];
-            *band = (sf_band){x + width * j / pieces, x + width * (j + 1) / pieces, x, y, slope, points[i][0],
-                              j ? 0.0 : points[i][1] - below, {0.0}, {0.0}};
+            *band = (sf_band){x + width * j / pieces, x + width * (j + 1) / pieces,   x,     y,    slope,
+                              points[i][0],           j ? 0.0 : points[i][1] - below, {0.0}, {0.0}};
             sf_put_nodes(band, band->low, band->high, band->Omega, band->weight);
             for (int k = 0; k < SF_IN_PART; k++)
                 read.whole += band->weight[k], read.over += band->weight[k] / band->Omega[k];
@@ -95,14 +94,17 @@ static int sf_read_table(const double (*points)[2], int count, sf_table *to)
             below = points[i + 1][1], read.least = fmin(read.least, slope), read.most = fmax(read.most, slope);
     }
     if (to != NULL) {
-        read.strength = 3.14159265358979324 * largest, read.end = points[count - 1][0], read.falls = below, read.bands = bands;
+        read.strength = 3.14159265358979324 * largest;
+        read.end = points[count - 1][0];
+        read.falls = below;
+        read.bands = bands;
         memcpy(to, &read, offsetof(sf_table, band));
     }
     return bands;
 }
 
-/* At (p, q): ln I_0 and ln I_2, by p and q. far: the shares of bands farther from p/2 than a reach; near: between which ends
- * the slopes of the others are */
+/* At (p, q): ln I_0 and ln I_2, by p and q. far: the shares of bands farther from p/2 than a reach; near: between which
+ * ends the slopes of the others are */
 typedef struct {
     double value[2], by[2][2], far[2];
     sf_ends near;
@@ -118,8 +120,7 @@ typedef struct {
     double of[2][3][SF_IN_PART];
 } sf_by_node;
 
-static inline void sf_add_nodes(const sf_resonance *at, const double *Omega, const double *weight, sf_by_node *to)
-{
+static inline void sf_add_nodes(const sf_resonance *at, const double *Omega, const double *weight, sf_by_node *to) {
     for (int j = 0; j < SF_IN_PART; j++) {
         double of[3];
         linearization_response(Omega[j], at->k, at->c, of);
@@ -136,8 +137,7 @@ typedef struct {
     double low, high, E[2][SF_IN_PART], D[2][SF_IN_PART];
 } sf_near_pole;
 
-static inline void sf_add_pole_nodes(const sf_resonance *at, double low, double high, sf_near_pole *to)
-{
+static inline void sf_add_pole_nodes(const sf_resonance *at, double low, double high, sf_near_pole *to) {
     const double m = 0.5 * (low + high) - at->middle, h = 0.5 * (high - low), theta = at->theta;
     for (int j = 0; j < SF_IN_PART; j++) {
         const int k = j % SF_NODES;
@@ -148,8 +148,7 @@ static inline void sf_add_pole_nodes(const sf_resonance *at, double low, double 
     }
 }
 
-static inline double sf_sum(const double *by_node)
-{
+static inline double sf_sum(const double *by_node) {
     double sum = 0.0;
     for (int j = 0; j < SF_IN_PART; j++)
         sum += by_node[j];
@@ -157,8 +156,7 @@ static inline double sf_sum(const double *by_node)
 }
 
 /* What the pole adds there: int dx/(x - X) less its quadrature, and the slope of both by X. */
-static inline void sf_add_pole(const sf_resonance *at, const sf_near_pole *by, double sums[2][3])
-{
+static inline void sf_add_pole(const sf_resonance *at, const sf_near_pole *by, double sums[2][3]) {
     const double a = by->low - at->middle, b = by->high - at->middle, theta = at->theta;
     const double aa = a * a + theta * theta, bb = b * b + theta * theta;
     const double turns = atan2(theta * (b - a), a * b + theta * theta);
@@ -175,8 +173,7 @@ static inline void sf_add_pole(const sf_resonance *at, const sf_near_pole *by, d
 /* Of a box in which p differs by r at most, how far from p/2 bands are near. */
 static inline double sf_band_reach(double r) { return 0.5 * r + SF_FAR_BAND; }
 
-SF_FMA static sf_moments sf_moments_at(const sf_table *table, double p, double q, double reach)
-{
+SF_FMA static sf_moments sf_moments_at(const sf_table *table, double p, double q, double reach) {
     const double ratio = fmax(0.5 * exp(q - 0.5 * p), SF_LEAST_RATIO);
     const sf_resonance at = {exp(p), exp(q), 0.5 * p, ratio < 1.0 ? asin(ratio) : HUGE_VAL};
     sf_by_node both[2] = {{{{{0.0}}}}};
@@ -229,8 +226,8 @@ SF_FMA static sf_moments sf_moments_at(const sf_table *table, double p, double q
 
 /* What the jumps of a table add to the slopes of ln I_j, j = 2 i, at a constant damping ratio, down and up: at most
  * dG Omega^(j+1)/(2 Z I_j), with I_j at the centre of the box. */
-static void sf_jumps_within(const sf_table *table, int i, double value, const sf_ends *k, double ratio, double jumps[2])
-{
+static void sf_jumps_within(const sf_table *table, int i, double value, const sf_ends *k, double ratio,
+                            double jumps[2]) {
     const double c = 2.0 * ratio * sqrt(k->low), over = 0.5 * exp(-value);
     jumps[0] = jumps[1] = 0.0;
     for (int j = 0; j <= table->bands; j++) {
@@ -243,10 +240,10 @@ static void sf_jumps_within(const sf_table *table, int i, double value, const sf
     }
 }
 
-/* In a box in which p differs by r[0] at most, and the logarithm of the damping ratio by r[1], whatever the table: between
- * which ends the slope of ln I_j by p is, at a constant q, and by how much its slopes by p, at a constant damping ratio and by q
- * differ from those at the centre. They are weighted means of slopes of -ln Z; their own ones are means of the second ones and
- * covariances. */
+/* In a box in which p differs by r[0] at most, and the logarithm of the damping ratio by r[1], whatever the table:
+ * between which ends the slope of ln I_j by p is, at a constant q, and by how much its slopes by p, at a constant
+ * damping ratio and by q differ from those at the centre. They are weighted means of slopes of -ln Z; their own ones
+ * are means of the second ones and covariances. */
 typedef struct {
     sf_ends by_p;
     double differ[3];
@@ -254,8 +251,7 @@ typedef struct {
 
 enum { SF_BY_P, SF_BY_Q, SF_AT_RATIO };
 
-static sf_steepness sf_steepness_within(double p, double q, const double r[2])
-{
+static sf_steepness sf_steepness_within(double p, double q, const double r[2]) {
     const double ratio = 0.5 * exp(q - r[1] - 0.5 * p), by_q = r[1] + 0.5 * r[0];
     double of[3];
     linearization_steepest(ratio, of);
@@ -267,19 +263,17 @@ static sf_steepness sf_steepness_within(double p, double q, const double r[2])
     return (sf_steepness){{-down, most}, {of_p, of_q, of_p + 0.5 * of_q}};
 }
 
-static inline void sf_intersect(sf_ends *to, double low, double high)
-{
+static inline void sf_intersect(sf_ends *to, double low, double high) {
     to->low = low > to->low ? low : to->low, to->high = high < to->high ? high : to->high;
 }
 
-/* Between which ends the slopes of ln I_j are in that box, j = 2 i, by p, by q, and by p at a constant damping ratio. At that
- * 1/Z moves along ln(Omega): the slope is (j - 3 + s)/2 in the mean of the slopes s of ln G, and what jumps add; s is that of
- * near bands, but for the share of the far ones. Away from its pole -ln Z rises with p by SF_FAR_RISES at most, and I_j falls by
- * no more than the bound of the slope has it, which is tried. By q the slope is -2 y in the mean, 0 < y < 1, which moves with
- * p as y and s/2 vary together, and with q by 1 at most. */
+/* Between which ends the slopes of ln I_j are in that box, j = 2 i, by p, by q, and by p at a constant damping ratio.
+ * At that 1/Z moves along ln(Omega): the slope is (j - 3 + s)/2 in the mean of the slopes s of ln G, and what jumps
+ * add; s is that of near bands, but for the share of the far ones. Away from its pole -ln Z rises with p by
+ * SF_FAR_RISES at most, and I_j falls by no more than the bound of the slope has it, which is tried. By q the slope is
+ * -2 y in the mean, 0 < y < 1, which moves with p as y and s/2 vary together, and with q by 1 at most. */
 static void sf_slopes_within(const sf_table *table, const sf_moments *at, double p, double q, const double r[2],
-                             sf_ends slopes[2][3])
-{
+                             sf_ends slopes[2][3]) {
     const sf_ends k = {exp(p - r[0]), exp(p + r[0])}, near = at->near;
     const double middle = 0.5 * (near.low + near.high), apart = fmax(table->most - middle, middle - table->least);
     const sf_steepness any = sf_steepness_within(p, q, r);
@@ -319,40 +313,40 @@ typedef struct {
 } sf_equivalent;
 
 /* dq/dp, and dq/dln(sigma_u) */
-static inline double sf_damping_by_p(const sf_equivalent *at)
-{
+static inline double sf_damping_by_p(const sf_equivalent *at) {
     return at->D * at->moments.by[1][0] / (1.0 - at->D * at->moments.by[1][1]);
 }
-static inline double sf_damping_by_u(const sf_equivalent *at) { return at->by_u / (1.0 - at->D * at->moments.by[1][1]); }
+static inline double sf_damping_by_u(const sf_equivalent *at) {
+    return at->by_u / (1.0 - at->D * at->moments.by[1][1]);
+}
 
 typedef struct {
     const sf_table *table;
     const sf_system *system;
 } sf_under_table;
 
-/* The damping that there is at least, at any stiffness: c sigma_v is at most the root of the mean square of the excitation,
- * c sigma_v^2 at most `strength`. Infinite where friction holds the mass nearly all of the time. */
-static double sf_least_damping(const sf_under_table *of, double mu, double zeta)
-{
+/* The damping that there is at least, at any stiffness: c sigma_v is at most the root of the mean square of the
+ * excitation, c sigma_v^2 at most `strength`. Infinite where friction holds the mass nearly all of the time. */
+static double sf_least_damping(const sf_under_table *of, double mu, double zeta) {
     double c[3];
     sf_equivalent_damping(of->system, 1.0, mu, zeta, c);
     const double slips = 1.0 - c[2] / sqrt(of->table->whole);
     return slips > 0.0 ? fmax(2.0 * zeta / slips, c[2] * c[2] / of->table->strength) : HUGE_VAL;
 }
 
-static int sf_is_held(const sf_under_table *of, double sigma)
-{
+static int sf_is_held(const sf_under_table *of, double sigma) {
     return sf_least_damping(of, sf_damping_over_u(of->system, sigma).mu, 0.0) == HUGE_VAL;
 }
 
 /* k I_0 is at most that: c k I_0 is c I_2 and what |y|/(y^2 + c^2 Omega^2) adds, at most 1/(2 c Omega). */
-static inline double sf_most(const sf_table *table, double least) { return (table->strength + 0.5 * table->over) / least; }
+static inline double sf_most(const sf_table *table, double least) {
+    return (table->strength + 0.5 * table->over) / least;
+}
 
-/* By Newton's iteration for ln C - q, which falls, between ends that close in; from a q on, until a step is as near. NaN
- * where it is lost. */
-static sf_equivalent sf_equivalent_at(const sf_under_table *of, const sf_over_u *damping, double p, double q, double reach,
-                                      double near)
-{
+/* By Newton's iteration for ln C - q, which falls, between ends that close in; from a q on, until a step is as near.
+ * NaN where it is lost. */
+static sf_equivalent sf_equivalent_at(const sf_under_table *of, const sf_over_u *damping, double p, double q,
+                                      double reach, double near) {
     double low = log(sf_least_damping(of, damping->mu, damping->zeta) / SF_MARGIN), high = HUGE_VAL, c[3];
     sf_equivalent at = {.p = p, .q = fmax(q, low)};
     for (int i = 0; i < SF_MOST_STEPS; i++) {
@@ -370,7 +364,8 @@ static sf_equivalent sf_equivalent_at(const sf_under_table *of, const sf_over_u 
             for (int j = 0; j < 2; j++)
                 at.moments.value[j] += step * at.moments.by[j][1];
             at.q += step, at.near = fabs(step);
-            at.by_u = ((damping->mu > 0.0 ? c[2] * damping->mu_slope / damping->mu : 0.0) + 2.0 * damping->zeta_slope) / c[0];
+            at.by_u =
+                ((damping->mu > 0.0 ? c[2] * damping->mu_slope / damping->mu : 0.0) + 2.0 * damping->zeta_slope) / c[0];
             return at;
         }
         at.q = inside ? next : high < HUGE_VAL ? 0.5 * (low + high) : low + 1.0;
@@ -384,8 +379,7 @@ static inline double sf_steepest_of(sf_ends of) { return fmax(-of.low, of.high);
 /* Between which ends dL/dp and dL/dln(sigma_u) are where p differs by no more than r[0], and ln(sigma_u) by r[1], in a
  * cell whose ends have the damping a and b; infinite where that is not known. */
 static void sf_slope_within(const sf_under_table *of, const sf_equivalent *at, const sf_over_u *a, const sf_over_u *b,
-                            const double r[2], sf_ends *by_p, sf_ends *by_u)
-{
+                            const double r[2], sf_ends *by_p, sf_ends *by_u) {
     double apart = 1.5 * (fabs(sf_damping_by_p(at) - 0.5) * r[0] + fabs(sf_damping_by_u(at)) * r[1]);
     *by_p = *by_u = (sf_ends){-HUGE_VAL, HUGE_VAL};
     for (int i = 0; i < 6; i++) {
@@ -394,7 +388,8 @@ static void sf_slope_within(const sf_under_table *of, const sf_equivalent *at, c
         sf_slopes_within(of->table, &at->moments, at->p, at->q, (double[2]){r[0], ratio}, slopes);
         const sf_ends *const I_0 = slopes[0], *const I_2 = slopes[1];
         const double shift = sf_steepest_of(I_2[SF_AT_RATIO]) * r[0] - I_2[SF_BY_Q].low * ratio;
-        sf_damping_within(of->system, a, b, (sf_ends){exp(0.5 * (square - shift)), exp(0.5 * (square + shift))}, &D, &own);
+        sf_damping_within(of->system, a, b, (sf_ends){exp(0.5 * (square - shift)), exp(0.5 * (square + shift))}, &D,
+                          &own);
         D.low *= 0.5, D.high *= 0.5;
         const sf_ends falls = sf_ends_of_product(D, I_2[SF_BY_Q]);
         if (!(falls.high < 1.0))
@@ -409,7 +404,8 @@ static void sf_slope_within(const sf_under_table *of, const sf_equivalent *at, c
         const sf_ends change = {q_by_p.low - 0.5, q_by_p.high - 0.5};
         const double goes = sf_steepest_of(change) * r[0] + sf_steepest_of(ratio_by_u) * r[1];
         if (goes <= apart) { /* the ratio does not leave the box */
-            const sf_ends by_q = sf_ends_of_product(q_by_p, I_0[SF_BY_Q]), by_ratio = sf_ends_of_product(change, I_0[SF_BY_Q]);
+            const sf_ends by_q = sf_ends_of_product(q_by_p, I_0[SF_BY_Q]);
+            const sf_ends by_ratio = sf_ends_of_product(change, I_0[SF_BY_Q]);
             *by_p = (sf_ends){I_0[SF_BY_P].low + by_q.low, I_0[SF_BY_P].high + by_q.high};
             sf_intersect(by_p, I_0[SF_AT_RATIO].low + by_ratio.low, I_0[SF_AT_RATIO].high + by_ratio.high);
             *by_u = sf_ends_of_product(ratio_by_u, I_0[SF_BY_Q]);
@@ -428,8 +424,8 @@ typedef struct {
     sf_motions *found;
 } sf_linearized;
 
-static sf_equivalent sf_equivalent_by(sf_linearized *of, const sf_over_u *damping, double p, double reach, double near)
-{
+static sf_equivalent sf_equivalent_by(sf_linearized *of, const sf_over_u *damping, double p, double reach,
+                                      double near) {
     const double q = of->near.q + sf_damping_by_p(&of->near) * (p - of->near.p);
     const sf_equivalent at = sf_equivalent_at(of->excited, damping, p, q, reach, near);
     if (at.q == at.q)
@@ -438,19 +434,18 @@ static sf_equivalent sf_equivalent_by(sf_linearized *of, const sf_over_u *dampin
 }
 
 /* ln I_0 - 2 ln(sigma), with a damping as near as that */
-static double sf_excess(sf_linearized *of, const sf_gaussian *at, double near, sf_equivalent *damped)
-{
+static double sf_excess(sf_linearized *of, const sf_gaussian *at, double near, sf_equivalent *damped) {
     const sf_over_u damping = sf_damping_over_u(of->excited->system, at->sigma);
     *damped = sf_equivalent_by(of, &damping, log(sf_first(at)) - 2.0 * log(at->sigma), 0.0, near);
     return damped->moments.value[0] - 2.0 * log(at->sigma);
 }
 
 /* The root in a cell, if it has one: the excess rises or falls between two values of ln(sigma), and has no root
- * elsewhere. Newton's iteration between ends that close in, from a sigma on. Where that leaves the cell the sign at its end
- * says whether there is a root. The damping is wanted as near as the step before is small: one integral serves both. */
+ * elsewhere. Newton's iteration between ends that close in, from a sigma on. Where that leaves the cell the sign at its
+ * end says whether there is a root. The damping is wanted as near as the step before is small: one integral serves
+ * both. */
 static void sf_put_stationary(sf_linearized *of, const sf_gaussian *a, const sf_gaussian *b, sf_ends t, int rises,
-                              double from)
-{
+                              double from) {
     /* of the ends: whether the sign there is known */
     int known[2] = {!rises && t.low > log(a->sigma), !rises && t.high < log(b->sigma)};
     double low = known[0] ? exp(t.low) : a->sigma, high = known[1] ? exp(t.high) : b->sigma;
@@ -464,7 +459,7 @@ static void sf_put_stationary(sf_linearized *of, const sf_gaussian *a, const sf_
         const int above = (excess < 0.0) == rises;
         if (at.sigma == (above ? b : a)->sigma)
             return;
-        double(*const by)[2] = damped.moments.by;
+        double (*const by)[2] = damped.moments.by;
         const double by_p = by[0][0] + by[0][1] * sf_damping_by_p(&damped), by_u = by[0][1] * sf_damping_by_u(&damped);
         const double stiffens = sf_third(&at) / sf_first(&at) - 3.0;
         const double step = -excess / (by_p * stiffens + by_u - 2.0), next = at.sigma * exp(step);
@@ -473,8 +468,7 @@ static void sf_put_stationary(sf_linearized *of, const sf_gaussian *a, const sf_
         const int inside = next > low && next < high;
         /* steps are as the squares of those before: what follows is of the order of size^3/before^2 */
         const double size = fabs(step) + damped.near;
-        if (size * size * size <= 0x1p-54 * before * before || size <= 0x1p-32 ||
-            high <= low * (1.0 + 0x1p-51)) {
+        if (size * size * size <= 0x1p-54 * before * before || size <= 0x1p-32 || high <= low * (1.0 + 0x1p-51)) {
             const double p = stiffens * step, q = sf_damping_by_p(&damped) * p + sf_damping_by_u(&damped) * step;
             const double v = exp(0.5 * (damped.moments.value[1] + by[1][0] * p + by[1][1] * q));
             at = sf_averages(of->force, next);
@@ -493,10 +487,10 @@ static void sf_put_stationary(sf_linearized *of, const sf_gaussian *a, const sf_
     of->found->undecided[0] = exp(of->near.p), of->found->undecided[1] = exp(of->near.q);
 }
 
-/* The stiffness in a cell, which rises where f/u does; of other forces its slope by ln(sigma) too, from averages, and from what
- * f/u is up to there. */
-static sf_ends sf_stiffness_within(const sf_positive *force, const sf_gaussian *a, const sf_gaussian *b, sf_ends *slope)
-{
+/* The stiffness in a cell, which rises where f/u does; of other forces its slope by ln(sigma) too, from averages, and
+ * from what f/u is up to there. */
+static sf_ends sf_stiffness_within(const sf_positive *force, const sf_gaussian *a, const sf_gaussian *b,
+                                   sf_ends *slope) {
     const double grows = b->sigma / a->sigma, cube = grows * grows * grows, fifth = cube * grows * grows;
     const double aa = a->sigma * a->sigma, bb = b->sigma * b->sigma, width = log(grows);
     const double error = SF_ERROR * (b->first[0] + b->first[1]) / bb;
@@ -514,11 +508,10 @@ static sf_ends sf_stiffness_within(const sf_positive *force, const sf_gaussian *
     return K;
 }
 
-/* The slope of a rising stiffness K by ln(sigma), between two values of that: E[x^2 u (f/u)'] at u = sigma x, of what is
- * positive, so that sigma^3 times it rises. So it is no more than at b times a cube, nor than allows K to gain from there
- * to b what it does at most. */
-static sf_ends sf_stiffening_within(const sf_gaussian *a, const sf_gaussian *b, sf_ends K, sf_ends t)
-{
+/* The slope of a rising stiffness K by ln(sigma), between two values of that: E[x^2 u (f/u)'] at u = sigma x, of what
+ * is positive, so that sigma^3 times it rises. So it is no more than at b times a cube, nor than allows K to gain from
+ * there to b what it does at most. */
+static sf_ends sf_stiffening_within(const sf_gaussian *a, const sf_gaussian *b, sf_ends K, sf_ends t) {
     const double aa = a->sigma * a->sigma, bb = b->sigma * b->sigma, begin = log(a->sigma), end = log(b->sigma);
     const double at_a = (sf_third(a) - 3.0 * sf_first(a)) / aa, at_b = (sf_third(b) - 3.0 * sf_first(b)) / bb;
     const double error = SF_ERROR * (b->third[0] + b->third[1] + 3.0 * (b->first[0] + b->first[1])) / bb;
@@ -527,9 +520,9 @@ static sf_ends sf_stiffening_within(const sf_gaussian *a, const sf_gaussian *b, 
                      fmin((at_b + error) * exp(3.0 * (end - t.low)), gains)};
 }
 
-/* Where a cell of a rising stiffness is cut: where ln k is between two values, or in its middle if it is not there soon. */
-static sf_gaussian sf_cut_between(const sf_positive *force, const sf_gaussian *a, const sf_gaussian *b, sf_ends p)
-{
+/* Where a cell of a rising stiffness is cut: where ln k is between two values, or in its middle if it is not there
+ * soon. */
+static sf_gaussian sf_cut_between(const sf_positive *force, const sf_gaussian *a, const sf_gaussian *b, sf_ends p) {
     double low = a->sigma, high = b->sigma;
     const sf_gaussian middle = sf_averages(force, sqrt(low) * sqrt(high));
     sf_gaussian at = middle;
@@ -543,8 +536,7 @@ static sf_gaussian sf_cut_between(const sf_positive *force, const sf_gaussian *a
     return middle;
 }
 
-static void sf_search_stationary(sf_linearized *of, const sf_gaussian *a, const sf_gaussian *b)
-{
+static void sf_search_stationary(sf_linearized *of, const sf_gaussian *a, const sf_gaussian *b) {
     const sf_table *const table = of->excited->table;
     const double grows = b->sigma / a->sigma, soft = SF_SOFT * exp(2.0 * table->band[0].low);
     const sf_over_u first = sf_damping_over_u(of->excited->system, a->sigma);
@@ -598,12 +590,12 @@ static void sf_search_stationary(sf_linearized *of, const sf_gaussian *a, const 
         sf_search_stationary(of, &middle, b);
 }
 
-/* Every stationary motion, by rising sigma_u; 0 where there is none, as friction holds the mass nearly all of the time: that
- * which ends at a displacement may do so up to some sigma_u. */
-static int sf_tabulated(const sf_system *system, const sf_table *table, sf_motions *found)
-{
+/* Every stationary motion, by rising sigma_u; 0 where there is none, as friction holds the mass nearly all of the time:
+ * that which ends at a displacement may do so up to some sigma_u. */
+static int sf_tabulated(const sf_system *system, const sf_table *table, sf_motions *found) {
     const sf_under_table excited = {table, system};
-    const double size = sqrt(sf_most(table, sf_least_damping(&excited, system->released ? 0.0 : system->mu, system->zeta)));
+    const double size =
+        sqrt(sf_most(table, sf_least_damping(&excited, system->released ? 0.0 : system->mu, system->zeta)));
     if (size == 0.0)
         return 0;
     sf_positive force;

@@ -1,14 +1,14 @@
-/* Stationary motions about a mean, of a force that is not odd or under a load. Takes an oscillator with white noise or a
- * table; returns every linear oscillator that is equivalent.
+/* Stationary motions about a mean, of a force that is not odd or under a load. Takes an oscillator with white noise or
+ * a table; returns every linear oscillator that is equivalent.
  *
- * With the mean m and x = (u - m)/sigma, f - load has the averages A_n = E[He_n(x) (f - load)]: A_0 is 0, A_1 = sigma k.
- * At the mean m + sigma d and the mean square sigma^2 (1 + e) the derivative sigma^n d^n A_0/dm^n is
+ * With the mean m and x = (u - m)/sigma, f - load has the averages A_n = E[He_n(x) (f - load)]: A_0 is 0, A_1 = sigma
+ * k. At the mean m + sigma d and the mean square sigma^2 (1 + e) the derivative sigma^n d^n A_0/dm^n is
  *
  *     sum_j h_j(d, e) A_(n+j),    exp(d t + e t^2/2) = sum_j h_j(d, e) t^j
  *
  * and as E[He_n^2] = n! what higher orders add is bounded by the mean square of the force (derivations/extensions/
- * linearization.py). So one pass over the force bounds both equations and their slopes on a box of m and ln(sigma): it holds
- * no motion, or one by the interval Newton method, or it is cut.
+ * linearization.py). So one pass over the force bounds both equations and their slopes on a box of m and ln(sigma): it
+ * holds no motion, or one by the interval Newton method, or it is cut.
  *
  * Boxes cover all motions with displacements up to SF_ABOVE times the sizes that there are: how the force pushes
  * back bounds m and sigma, its slopes and jumps bound k, and that bounds sigma from below: under white noise by
@@ -20,8 +20,8 @@
 /* orders of averages, and of those that are bounded; panels of Gauss's rule, in sigma */
 enum { SF_ORDERS = 12, SF_TAIL = 56, SF_SLOPES = 4, SF_MOST_BOXES = 200000 };
 #define SF_PANEL 1.0
-/* half widths of boxes in sigma and in ln(sigma), from which on they are bounded; by how much more a box is looked at, as a
- * motion may be on its border; how much of a box may be left, or it is cut */
+/* half widths of boxes in sigma and in ln(sigma), from which on they are bounded; by how much more a box is looked at,
+ * as a motion may be on its border; how much of a box may be left, or it is cut */
 #define SF_MOST_WIDE 0.6
 #define SF_MOST_HIGH 0.15
 #define SF_OVERLAP 1.02
@@ -30,8 +30,8 @@ enum { SF_ORDERS = 12, SF_TAIL = 56, SF_SLOPES = 4, SF_MOST_BOXES = 200000 };
 #define SF_ROOM 0x1p-20
 /* one motion, of two that are found next to each other */
 #define SF_ONE_MOTION 1e-7
-/* cells of u on either side; any two neighbours are wider together than one of these, and some meet at 0; decades below and
- * above the sizes that there are; every so many bounds are tried */
+/* cells of u on either side; any two neighbours are wider together than one of these, and some meet at 0; decades below
+ * and above the sizes that there are; every so many bounds are tried */
 enum { SF_FAR_CELLS = 160, SF_MOST_FAR_CELLS = 4 * SF_FAR_CELLS + 8, SF_TRIED = 15, SF_STIFFNESSES = 64 };
 #define SF_SOFTER 40.0
 #define SF_BELOW 1e-4
@@ -42,8 +42,7 @@ typedef struct {
     double mean, sigma, A[SF_ORDERS], square, rest;
 } sf_about;
 
-static void sf_add_about(const sf_piece *piece, double load, double low, double high, sf_about *to)
-{
+static void sf_add_about(const sf_piece *piece, double load, double low, double high, sf_about *to) {
     const int least = piece->law->powers != NULL ? 1 : SF_LEAST_PARTS;
     const int panels = (int)fmax(least, ceil((high - low) / SF_PANEL));
     const double h = 0.5 * (high - low) / panels;
@@ -67,8 +66,7 @@ static void sf_add_about(const sf_piece *piece, double load, double low, double 
     }
 }
 
-static sf_about sf_averages_about(const sf_system *system, double mean, double sigma)
-{
+static sf_about sf_averages_about(const sf_system *system, double mean, double sigma) {
     sf_about found = {.mean = mean, .sigma = sigma};
     for (int i = 0; i < system->pieces; i++) {
         const double low = fmax(i ? (system->edge[i] - mean) / sigma : -HUGE_VAL, -SF_FARTHEST);
@@ -88,8 +86,7 @@ static sf_about sf_averages_about(const sf_system *system, double mean, double s
 }
 
 /* Between which ends sigma^n d^n A_0/dm^n, n up to 3, are where |d| and |e| are at most that. */
-static void sf_slopes_about(const sf_about *at, double d, double e, sf_ends G[SF_SLOPES])
-{
+static void sf_slopes_about(const sf_about *at, double d, double e, sf_ends G[SF_SLOPES]) {
     double h[SF_TAIL];
     h[0] = 1.0, h[1] = d;
     for (int j = 1; j + 1 < SF_TAIL; j++)
@@ -110,8 +107,8 @@ static void sf_slopes_about(const sf_about *at, double d, double e, sf_ends G[SF
     }
 }
 
-/* power: of white noise, or 0; square, v: of the velocity under it, else 0 and by the table; most: of sigma^2 k; soft: a
- * stiffness that is taken for lower ones */
+/* power: of white noise, or 0; square, v: of the velocity under it, else 0 and by the table; most: of sigma^2 k; soft:
+ * a stiffness that is taken for lower ones */
 typedef struct {
     const sf_system *system;
     double power, square, v, most, soft;
@@ -122,8 +119,7 @@ typedef struct {
 } sf_offset;
 
 /* ln I_0 at p = ln k, with a damping as near as that, and between which ends its slope is up to a distance r. */
-static double sf_power_at(sf_offset *of, double p, double r, double near, sf_ends *by_p)
-{
+static double sf_power_at(sf_offset *of, double p, double r, double near, sf_ends *by_p) {
     if (of->square > 0.0) {
         *by_p = (sf_ends){-1.0, -1.0};
         return log(of->square) - p;
@@ -138,16 +134,14 @@ static double sf_power_at(sf_offset *of, double p, double r, double near, sf_end
     return at.moments.value[0];
 }
 
-static inline sf_ends sf_ends_over(sf_ends a, sf_ends b)
-{
+static inline sf_ends sf_ends_over(sf_ends a, sf_ends b) {
     return sf_ends_of_product(a, (sf_ends){1.0 / b.high, 1.0 / b.low});
 }
 
 static inline sf_ends sf_ends_less(sf_ends a, sf_ends b) { return (sf_ends){a.low - b.high, a.high - b.low}; }
 
 /* From next to a motion: its digits, by Newton's iteration in the mean over sigma and ln(sigma). */
-static void sf_put_offset(sf_offset *of, double mean, double sigma)
-{
+static void sf_put_offset(sf_offset *of, double mean, double sigma) {
     sf_about at = sf_averages_about(of->system, mean, sigma);
     double steps = HUGE_VAL, p = 0.0;
     for (int i = 0; i < SF_MOST_STEPS; i++) {
@@ -166,7 +160,8 @@ static void sf_put_offset(sf_offset *of, double mean, double sigma)
     sf_motions *const to = of->found;
     int place = 0;
     for (int i = 0; i < to->count && i < to->max_count; i++) {
-        if (fabs(to->at[i].mean - at.mean) <= SF_ONE_MOTION * at.sigma && fabs(to->at[i].u - at.sigma) <= SF_ONE_MOTION * at.sigma)
+        if (fabs(to->at[i].mean - at.mean) <= SF_ONE_MOTION * at.sigma &&
+            fabs(to->at[i].u - at.sigma) <= SF_ONE_MOTION * at.sigma)
             return;
         place += to->at[i].u < at.sigma;
     }
@@ -185,8 +180,7 @@ typedef struct {
 
 static void sf_search_offset(sf_offset *of, sf_offset_box box);
 
-static void sf_cut_offset(sf_offset *of, const sf_offset_box *box, int by_mean)
-{
+static void sf_cut_offset(sf_offset *of, const sf_offset_box *box, int by_mean) {
     for (int side = -1; side <= 1; side += 2) {
         sf_offset_box half = *box;
         if (by_mean)
@@ -197,10 +191,10 @@ static void sf_cut_offset(sf_offset *of, const sf_offset_box *box, int by_mean)
     }
 }
 
-/* The part of a box in which displacements from its centre, in sigma and in ln(sigma), are between ends: whether that is much
- * less, and then what is there is found. */
-static int sf_shrinks(sf_offset *of, const sf_offset_box *box, double sigma, double d, double tall, sf_ends mean, sf_ends t)
-{
+/* The part of a box in which displacements from its centre, in sigma and in ln(sigma), are between ends: whether that
+ * is much less, and then what is there is found. */
+static int sf_shrinks(sf_offset *of, const sf_offset_box *box, double sigma, double d, double tall, sf_ends mean,
+                      sf_ends t) {
     const double low = fmax(mean.low - SF_ROOM, -d), high = fmin(mean.high + SF_ROOM, d);
     const double from = fmax(t.low - SF_ROOM, -tall), to = fmin(t.high + SF_ROOM, tall);
     if (low > high || from > to)
@@ -212,8 +206,7 @@ static int sf_shrinks(sf_offset *of, const sf_offset_box *box, double sigma, dou
     return 1;
 }
 
-static void sf_search_offset(sf_offset *of, sf_offset_box box)
-{
+static void sf_search_offset(sf_offset *of, sf_offset_box box) {
     const double sigma = exp(box.t), d = SF_OVERLAP * box.width / sigma, tall = SF_OVERLAP * box.height;
     const int wide = d * SF_MOST_HIGH > tall * SF_MOST_WIDE;
     if (of->boxes++ >= SF_MOST_BOXES || fmin(d, tall) < SF_NARROW) {
@@ -287,8 +280,7 @@ typedef struct {
 
 static inline double sf_in_cell(int j) { return j < SF_NODES ? -sf_gauss_node[j] : sf_gauss_node[j - SF_NODES]; }
 
-static void sf_put_legendre(sf_far_cells *to)
-{
+static void sf_put_legendre(sf_far_cells *to) {
     for (int j = 0; j < SF_IN_PART; j++) {
         to->P[0][j] = 1.0, to->P[1][j] = sf_in_cell(j);
         for (int n = 1; n + 1 < SF_IN_PART; n++)
@@ -298,8 +290,7 @@ static void sf_put_legendre(sf_far_cells *to)
 
 /* A cell by its Legendre series, as |P_n| is at most 1 and its slope n (n + 1)/2. Polynomials have no other orders,
  * up to a degree of 7; of other forces these are taken to add as much as SF_IN_PART times the last two at most. */
-static void sf_put_cell(const sf_piece *piece, double load, double low, double high, sf_far_cells *to)
-{
+static void sf_put_cell(const sf_piece *piece, double load, double low, double high, sf_far_cells *to) {
     const double m = 0.5 * (low + high), h = 0.5 * (high - low), side = low < 0.0 ? -1.0 : 1.0;
     double f[SF_IN_PART], mean = 0.0, varies = 0.0, steepest = 0.0;
     for (int j = 0; j < SF_IN_PART; j++)
@@ -330,8 +321,7 @@ static void sf_put_cell(const sf_piece *piece, double load, double low, double h
 }
 
 /* Of all pieces, in steps away from 0 that grow. */
-static void sf_put_cells(const sf_system *system, double nearest, double farthest, sf_far_cells *to)
-{
+static void sf_put_cells(const sf_system *system, double nearest, double farthest, sf_far_cells *to) {
     const double grows = pow(farthest / nearest, 1.0 / SF_FAR_CELLS);
     to->nearest = nearest, to->grows = grows;
     sf_put_legendre(to);
@@ -348,8 +338,7 @@ static void sf_put_cells(const sf_system *system, double nearest, double farthes
 
 /* How far m and sigma are from 0, where E[(u - m) f] is at most that: from u f >= a |u|^n - c, n = 1 or 2, follows that
  * a E|u|^n is at most c more. Infinite where far from 0 the force does not push back. */
-static double sf_farthest_motion(const sf_far_cells *of, double most)
-{
+static double sf_farthest_motion(const sf_far_cells *of, double most) {
     double found = HUGE_VAL;
     for (int i = 0; i < of->count; i += SF_TRIED)
         for (int n = 1; n <= 2; n++) {
@@ -366,24 +355,24 @@ static double sf_farthest_motion(const sf_far_cells *of, double most)
 }
 
 /* The largest stiffness at a sigma, E[f'], by slopes up to some |u|, and the height of jumps upwards. */
-static double sf_stiffest(const sf_system *system, const sf_far_cells *of, double farthest, double sigma)
-{
+static double sf_stiffest(const sf_system *system, const sf_far_cells *of, double farthest, double sigma) {
     double slope = 0.0, rises = 0.0;
     for (int i = 0; i < of->count; i++)
         if (of->at[i].near <= farthest)
             slope = fmax(slope, of->at[i].slope);
     for (int i = 1; i < system->pieces; i++)
-        rises += fmax(sf_value(&system->piece[i], system->edge[i]) - sf_value(&system->piece[i - 1], system->edge[i]), 0.0);
+        rises +=
+            fmax(sf_value(&system->piece[i], system->edge[i]) - sf_value(&system->piece[i - 1], system->edge[i]), 0.0);
     return slope + 0.5 * SF_DENSITY * rises / sigma;
 }
 
-/* ln(sigma) from which on, in steps, a motion may be: its sigma^2 is at least the least I_0 of stiffnesses up to the largest
- * one. Under a table that is looked up at samples, as I_0 has minima between its resonances. */
-static double sf_lowest_motion(sf_offset *of, const sf_far_cells *cells, double farthest, double step)
-{
+/* ln(sigma) from which on, in steps, a motion may be: its sigma^2 is at least the least I_0 of stiffnesses up to the
+ * largest one. Under a table that is looked up at samples, as I_0 has minima between its resonances. */
+static double sf_lowest_motion(sf_offset *of, const sf_far_cells *cells, double farthest, double step) {
     const double top = log(farthest);
     const double stiffest = log(sf_stiffest(of->system, cells, (1.0 + SF_FARTHEST) * farthest, farthest / SF_SEARCHED));
-    const double softest = fmax(log(of->soft), stiffest - SF_SOFTER), wide = (stiffest - softest) / (SF_STIFFNESSES - 1);
+    const double softest = fmax(log(of->soft), stiffest - SF_SOFTER);
+    const double wide = (stiffest - softest) / (SF_STIFFNESSES - 1);
     double least[SF_STIFFNESSES], found = top;
     for (int i = 0; of->square == 0.0 && i < SF_STIFFNESSES; i++) {
         sf_ends by_p;
@@ -401,9 +390,9 @@ static double sf_lowest_motion(sf_offset *of, const sf_far_cells *cells, double 
 }
 
 /* Every stationary motion, by rising sigma; under white noise of a power c sigma_v^2, or a table where that is 0. The
- * outcome is 0 where friction holds the mass nearly all of the time, -1 where the force does not push back far from 0. */
-static int sf_offset_motions(const sf_system *system, double power, const sf_table *table, sf_motions *found)
-{
+ * outcome is 0 where friction holds the mass nearly all of the time, -1 where the force does not push back far from 0.
+ */
+static int sf_offset_motions(const sf_system *system, double power, const sf_table *table, sf_motions *found) {
     const sf_under_table excited = {table, system};
     sf_offset of = {
         .system = system, .power = power, .soft = 0x1p-900, .damping = sf_damping_over_u(system, 1.0), .found = found};
@@ -437,8 +426,7 @@ static int sf_offset_motions(const sf_system *system, double power, const sf_tab
 }
 
 /* Every stationary motion, as `sf_offset_motions` of any force and load. */
-static int sf_motions_of(const sf_system *system, double power, const sf_table *table, sf_motions *found)
-{
+static int sf_motions_of(const sf_system *system, double power, const sf_table *table, sf_motions *found) {
     if (!system->odd || system->load != 0.0)
         return sf_offset_motions(system, power, table, found);
     if (!(power > 0.0))

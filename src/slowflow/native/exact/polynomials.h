@@ -25,8 +25,7 @@ typedef struct {
 } sf_polynomials;
 
 /* The one that holds from v on in a direction: at a seam the one ahead. */
-static const sf_polynomial *sf_polynomial_from(const sf_polynomials *of, int above, double v, double direction)
-{
+static const sf_polynomial *sf_polynomial_from(const sf_polynomials *of, int above, double v, double direction) {
     const sf_polynomial *const each = of->side[above];
     int k = 0;
     while (k + 1 < of->count[above] && (direction > 0.0 ? v >= each[k + 1].begin : v > each[k + 1].begin))
@@ -34,14 +33,12 @@ static const sf_polynomial *sf_polynomial_from(const sf_polynomials *of, int abo
     return &each[k];
 }
 
-static const double *sf_polynomial_at(const sf_law *self, double side, double u, double direction)
-{
+static const double *sf_polynomial_at(const sf_law *self, double side, double u, double direction) {
     const sf_polynomials *const of = (const sf_polynomials *)self;
     return (const double *)sf_polynomial_from(of, side > 0.0, side * u, side * direction);
 }
 
-static double sf_polynomial_seam(const sf_law *self, double u, double direction, int both)
-{
+static double sf_polynomial_seam(const sf_law *self, double u, double direction, int both) {
     const sf_polynomials *const of = (const sf_polynomials *)self;
     const double side = u != 0.0 ? copysign(1.0, u) : copysign(1.0, direction), v = side * u;
     const int outward = side * direction > 0.0, above = side > 0.0, count = of->count[above];
@@ -54,8 +51,7 @@ static double sf_polynomial_seam(const sf_law *self, double u, double direction,
 }
 
 /* f or its slope at u, by the rule of Horner for the power */
-static double sf_polynomial_of(const sf_law *self, const double *p, double u, int slope)
-{
+static double sf_polynomial_of(const sf_law *self, const double *p, double u, int slope) {
     const sf_polynomials *const of = (const sf_polynomials *)self;
     const double v = p[0] * u;
     const sf_polynomial *const here = sf_polynomial_from(of, p[0] > 0.0, v, 0.0);
@@ -67,13 +63,11 @@ static double sf_polynomial_of(const sf_law *self, const double *p, double u, in
     return slope ? gradient : p[0] * value;
 }
 
-static double sf_polynomial_value(const sf_law *self, const double *p, double u)
-{
+static double sf_polynomial_value(const sf_law *self, const double *p, double u) {
     return sf_polynomial_of(self, p, u, 0);
 }
 
-static double sf_polynomial_slope(const sf_law *self, const double *p, double u)
-{
+static double sf_polynomial_slope(const sf_law *self, const double *p, double u) {
     return sf_polynomial_of(self, p, u, 1);
 }
 
@@ -83,15 +77,13 @@ typedef struct {
     int degree, power, from, force, slope, series, fours;
 } sf_places;
 
-static sf_places sf_places_of(const sf_polynomial *of)
-{
+static sf_places sf_places_of(const sf_polynomial *of) {
     const int degree = of->degree > 1.0 ? (int)of->degree : 1, power = (int)of->power, from = degree + 1;
     const int force = from + 1 + power, slope = force + 1 + power;
     return (sf_places){degree, power, from, force, slope, slope + 1, (degree + 2 * power + 2) / 4};
 }
 
-static void sf_polynomial_begin(const double *p, double *first, double *over)
-{
+static void sf_polynomial_begin(const double *p, double *first, double *over) {
     const sf_polynomial *const of = (const sf_polynomial *)p;
     const sf_places at = sf_places_of(of);
     const double v = of->side * first[0] - of->begin;
@@ -112,8 +104,7 @@ static void sf_polynomial_begin(const double *p, double *first, double *over)
     (void)over;
 }
 
-static void sf_polynomial_next(const sf_coefficients *c, const double *p, double *w, sf_four *left, sf_four *right)
-{
+static void sf_polynomial_next(const sf_coefficients *c, const double *p, double *w, sf_four *left, sf_four *right) {
     const sf_polynomial *const of = (const sf_polynomial *)p;
     const sf_places at = sf_places_of(of);
     double pairs[2][4 * SF_MOST_FOURS];
@@ -143,8 +134,7 @@ static void sf_polynomial_next(const sf_coefficients *c, const double *p, double
 }
 
 SF_FMA static void sf_polynomial_expand(const sf_law *self, const double *p, const sf_drive *drive, double theta,
-                                        double u, double v, const sf_four *flow, sf_expansion *x)
-{
+                                        double u, double v, const sf_four *flow, sf_expansion *x) {
     const sf_places at = sf_places_of((const sf_polynomial *)p);
     double over[SF_MOST_SERIES], w[4 * SF_MOST_SERIES];
     sf_four left[SF_MOST_FOURS * SF_TERMS], right[SF_MOST_FOURS * SF_TERMS];
@@ -155,13 +145,12 @@ SF_FMA static void sf_polynomial_expand(const sf_law *self, const double *p, con
 
 /* The law of a piece from rows for u < 0 and for u > 0, so many of each, each begin, length, power, degree, then both
  * sums; NULL where memory is out. free() lets it go. */
-static sf_law *sf_polynomial_law(const double (*const rows[2])[4 + 2 * SF_SUMMED], const int count[2])
-{
+static sf_law *sf_polynomial_law(const double (*const rows[2])[4 + 2 * SF_SUMMED], const int count[2]) {
     sf_polynomials *const made = calloc(1, sizeof *made + (size_t)(count[0] + count[1]) * sizeof(sf_polynomial));
     if (made == NULL)
         return NULL;
-    made->law = (sf_law){"polynomials", 0, SF_SEAMS, sf_polynomial_value, sf_polynomial_slope, sf_polynomial_expand,
-                         NULL, sf_polynomial_seam, sf_polynomial_at, NULL};
+    made->law = (sf_law){"polynomials",        0,    SF_SEAMS,           sf_polynomial_value, sf_polynomial_slope,
+                         sf_polynomial_expand, NULL, sf_polynomial_seam, sf_polynomial_at,    NULL};
     for (int s = 0; s < 2; s++) {
         made->count[s] = count[s];
         made->side[s] = (sf_polynomial *)(made + 1) + s * count[0];

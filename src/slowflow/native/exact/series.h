@@ -35,12 +35,11 @@ typedef struct {
 
 #define sf_four_of(a, b, c, d) ((sf_four){{a, b, c, d}})
 #define sf_lane(fours, k) ((fours)[(k) / 4].at[(k) % 4])
-#define SF_EACH_OF_FOUR(name, op)                      \
-    static inline sf_four name(sf_four a, sf_four b)   \
-    {                                                  \
-        for (int k = 0; k < 4; k++)                    \
-            a.at[k] op b.at[k];                        \
-        return a;                                      \
+#define SF_EACH_OF_FOUR(name, op)                                                                                      \
+    static inline sf_four name(sf_four a, sf_four b) {                                                                 \
+        for (int k = 0; k < 4; k++)                                                                                    \
+            a.at[k] op b.at[k];                                                                                        \
+        return a;                                                                                                      \
     }
 SF_EACH_OF_FOUR(sf_plus, +=)
 SF_EACH_OF_FOUR(sf_less, -=)
@@ -50,10 +49,10 @@ SF_EACH_OF_FOUR(sf_times, *=)
 #define sf_all(a) sf_four_of(a, a, a, a)
 #define sf_more(sum, a, b) sf_plus(sum, sf_times(a, b))
 
-static const double sf_over[SF_TERMS + 1] = {
-    0.0,       1.0,       1.0 / 2,   1.0 / 3,   1.0 / 4,   1.0 / 5,   1.0 / 6,   1.0 / 7,   1.0 / 8,
-    1.0 / 9,   1.0 / 10,  1.0 / 11,  1.0 / 12,  1.0 / 13,  1.0 / 14,  1.0 / 15,  1.0 / 16,  1.0 / 17,
-    1.0 / 18,  1.0 / 19,  1.0 / 20,  1.0 / 21,  1.0 / 22,  1.0 / 23,  1.0 / 24,  1.0 / 25};
+static const double sf_over[SF_TERMS + 1] = {0.0,      1.0,      1.0 / 2,  1.0 / 3,  1.0 / 4,  1.0 / 5,  1.0 / 6,
+                                             1.0 / 7,  1.0 / 8,  1.0 / 9,  1.0 / 10, 1.0 / 11, 1.0 / 12, 1.0 / 13,
+                                             1.0 / 14, 1.0 / 15, 1.0 / 16, 1.0 / 17, 1.0 / 18, 1.0 / 19, 1.0 / 20,
+                                             1.0 / 21, 1.0 / 22, 1.0 / 23, 1.0 / 24, 1.0 / 25};
 
 /* What coefficient n is made of, series by series: those of order 0, 1, n - 1 and n, of which the last are put in one
  * by one, and reciprocals of those of order 0. Sums hold a[j] b[n - j] for 1 < j < n - 1: what was known last is added

@@ -20,8 +20,8 @@ typedef struct {
     long which;
 } sf_stretch;
 
-/* u, v: how it begins; rest: where the mass rests without friction; lost: where it is not followed further, when, u, and
- * the amplitude of what drives it then */
+/* u, v: how it begins; rest: where the mass rests without friction; lost: where it is not followed further, when, u,
+ * and the amplitude of what drives it then */
 typedef struct {
     const sf_system *system;
     double u, v, rest;
@@ -37,19 +37,16 @@ typedef struct {
  * whether the mass rests at the end, and where */
 enum { SF_SHOCK_NUMBERS = 7 };
 
-static inline double sf_time_of(const sf_stretch *one, double theta)
-{
+static inline double sf_time_of(const sf_stretch *one, double theta) {
     return one->since + (theta - one->arc.theta) / one->arc.Omega;
 }
 
-static inline sf_forced sf_forced_by(const sf_shocked *shock, const sf_arc *arc)
-{
+static inline sf_forced sf_forced_by(const sf_shocked *shock, const sf_arc *arc) {
     return (sf_forced){shock->system, arc->Omega, arc->F, shock->left < shock->most ? shock->left + 1 : shock->most};
 }
 
 /* The motion from where it is on under one arc, its phases behind those before. */
-static sf_outcome sf_under(sf_shocked *shock, double since, const sf_arc *arc)
-{
+static sf_outcome sf_under(sf_shocked *shock, double since, const sf_arc *arc) {
     const sf_system *const system = shock->system;
     const double end = arc->theta + arc->Omega * arc->span;
     double u = shock->u;
@@ -65,8 +62,7 @@ static sf_outcome sf_under(sf_shocked *shock, double since, const sf_arc *arc)
     if (arc->F == 0.0 && balanced) {
         if (!sf_append(&shock->phases, (sf_phase){0, region, arc->theta, u, 0.0, end, u, 0.0, SF_TIME, 0}))
             return SF_NO_MEMORY;
-    }
-    else {
+    } else {
         if (balanced && holds < error) /* some roundings back from where F cos(theta) begins to push: it goes there */
             u += copysign(SF_BACK, sin(arc->theta)) * fmax(fmax(fabs(u), fabs(system->load)), arc->F);
         outcome = sf_follow(&forced, arc->theta, u, shock->v, end, NULL, &shock->phases);
@@ -94,8 +90,7 @@ static sf_outcome sf_under(sf_shocked *shock, double since, const sf_arc *arc)
 }
 
 /* u and v at the end of each arc; phases are not kept. */
-static sf_outcome sf_recorded(sf_shocked *shock, const sf_arc *arcs, long count, double (*out)[2])
-{
+static sf_outcome sf_recorded(sf_shocked *shock, const sf_arc *arcs, long count, double (*out)[2]) {
     double since = 0.0;
     for (long i = 0; i < count; since += arcs[i++].span) {
         shock->count = 0;
@@ -109,8 +104,7 @@ static sf_outcome sf_recorded(sf_shocked *shock, const sf_arc *arcs, long count,
 
 /* All phases: under the arcs, then freely until the mass has turned twice or is held, for `after` at least: a free
  * motion only loses energy. SF_DIVERGES where that does not come. */
-static sf_outcome sf_all_phases(sf_shocked *shock, const sf_arc *arcs, long count, double tau, double after)
-{
+static sf_outcome sf_all_phases(sf_shocked *shock, const sf_arc *arcs, long count, double tau, double after) {
     double A = 0.0;
     for (long i = 0; i < count; i++) {
         const sf_outcome outcome = sf_under(shock, tau, &arcs[i]);
@@ -140,8 +134,7 @@ static sf_outcome sf_all_phases(sf_shocked *shock, const sf_arc *arcs, long coun
     return SF_DIVERGES;
 }
 
-static void sf_spaced(double low, double high, long count, double *out)
-{
+static void sf_spaced(double low, double high, long count, double *out) {
     const double step = (high - low) / (double)(count - 1);
     for (long k = 0; k < count - 1; k++)
         out[k] = (double)k * step + low;
@@ -149,8 +142,7 @@ static void sf_spaced(double low, double high, long count, double *out)
 }
 
 /* The largest |acceleration| of the mass, in the inertial frame, at angles within a phase, and at which. */
-static sf_outcome sf_accelerations(sf_shocked *shock, const double *theta, long count, sf_stretch *one)
-{
+static sf_outcome sf_accelerations(sf_shocked *shock, const double *theta, long count, sf_stretch *one) {
     sf_forced forced = sf_forced_by(shock, &one->arc);
     double states[2 * SF_POINTS][3];
     const long most = forced.left;
@@ -168,8 +160,7 @@ static sf_outcome sf_accelerations(sf_shocked *shock, const double *theta, long 
 }
 
 /* The largest acceleration and its time: at points of each phase, then ever nearer to the largest of these. */
-static sf_outcome sf_largest_acceleration(sf_shocked *shock, double *largest, double *when)
-{
+static sf_outcome sf_largest_acceleration(sf_shocked *shock, double *largest, double *when) {
     double theta[2 * SF_POINTS], most = 0.0;
     for (long i = 0; i < shock->count; i++) {
         sf_stretch *const one = &shock->at[i];
@@ -202,8 +193,7 @@ static sf_outcome sf_largest_acceleration(sf_shocked *shock, double *largest, do
 
 /* What the mass does, as SF_SHOCK_NUMBERS numbers; `shock` is given its oscillator, start and steps, and memory is kept
  * in it. */
-static sf_outcome sf_shock(sf_shocked *shock, const sf_arc *arcs, long count, double begin, double after, double *out)
-{
+static sf_outcome sf_shock(sf_shocked *shock, const sf_arc *arcs, long count, double begin, double after, double *out) {
     const double from = fabs(shock->u);
     const int innermost = shock->system->jump != 0.0;
     shock->count = 0;

@@ -12,34 +12,31 @@ enum { SF_GRADED = 4, SF_HALVINGS = 60 };
  * overflow */
 #define SF_AT_PLACE 0x1p-36
 
-static SF_INLINE void sf_forceless_begin(const double *p, double *first, double *over)
-{
+static SF_INLINE void sf_forceless_begin(const double *p, double *first, double *over) {
     first[1] = 0.0;
     (void)p, (void)over;
 }
 
 static SF_INLINE void sf_forceless_next(const sf_coefficients *c, const double *p, double *w, sf_four *left,
-                                        sf_four *right)
-{
+                                        sf_four *right) {
     w[1] = 0.0;
     (void)c, (void)p, (void)left, (void)right;
 }
 
 /* The motion without the force, or where that is no more than a constant friction. */
-static void sf_forceless(const sf_drive *drive, double theta, double u, double v, const sf_four *flow, sf_expansion *x)
-{
+static void sf_forceless(const sf_drive *drive, double theta, double u, double v, const sf_four *flow,
+                         sf_expansion *x) {
     double over[2], w[4 * 2];
     sf_four left[SF_TERMS], right[SF_TERMS];
-    sf_expand(sf_forceless_begin, sf_forceless_next, NULL, drive, theta, u, v, flow, 2, 0, 1, 1, 1, over, w, left, right,
-              x);
+    sf_expand(sf_forceless_begin, sf_forceless_next, NULL, drive, theta, u, v, flow, 2, 0, 1, 1, 1, over, w, left,
+              right, x);
 }
 
 /* What a force without a series at a place does from there on, over a step so short that the way under what it is at
  * that place tells: the integrals of the rest along that, by Gauss's rule in the fourth root of time. They enter the
  * second coefficients, so that the series hold at the step's end, whose distance is given. */
 static double sf_branched(const sf_law *law, const double *p, const sf_drive *inputs, double direction, double side,
-                          double theta, double place, double start, double v, const sf_four *flow, sf_expansion *x)
-{
+                          double theta, double place, double start, double v, const sf_four *flow, sf_expansion *x) {
     const double at_place = law->value(law, p, place);
     sf_drive constant = *inputs;
     const sf_drive *const drive = &constant;
@@ -81,8 +78,7 @@ static double sf_branched(const sf_law *law, const double *p, const sf_drive *in
 }
 
 /* Where the motion over a piece goes over to another series: where its sides meet, or it begins. */
-static inline double sf_meeting(const sf_piece *piece, double u)
-{
+static inline double sf_meeting(const sf_piece *piece, double u) {
     return piece->law->breaks == SF_BEGINS ? piece->law->begins(piece->law, piece->p[u > 0.0], u) : 0.0;
 }
 
@@ -91,8 +87,7 @@ static inline double sf_near(double place, double v) { return SF_AT_PLACE * fmax
 /* The piece that holds from (u, v) on: below where one begins without a series the next one does, and where the motion
  * turns next to that. A state comes there by rounding, or as Newton's iteration tries it. */
 static inline const sf_piece *sf_piece_at(const sf_piece *piece, const sf_drive *drive, double direction, double theta,
-                                          double u, double v)
-{
+                                          double u, double v) {
     if (piece->law->breaks != SF_BEGINS || piece->below == NULL)
         return piece;
     const double place = sf_meeting(piece, u), side = copysign(1.0, place), beyond = side * (u - place);
@@ -105,22 +100,19 @@ static inline const sf_piece *sf_piece_at(const sf_piece *piece, const sf_drive 
 /* The series from (u, v) on and the step over which they hold; `direction`: sign of the time that is gone. With the
  * derivatives from those in `flow`, or without where it is NULL. */
 static SF_INLINE double sf_expanded(const sf_piece *piece, const sf_drive *drive, double direction, double theta,
-                                    double u, double v, const sf_four *flow, sf_expansion *x)
-{
+                                    double u, double v, const sf_four *flow, sf_expansion *x) {
     const sf_law *const law = piece->law;
     const double *p = piece->p[u > 0.0];
     if (law->breaks == SF_BEGINS) {
         const double place = law->begins(law, p, u);
         if (fabs(u - place) <= sf_near(place, v))
             return sf_branched(law, p, drive, direction, copysign(1.0, place), theta, place, u, v, flow, x);
-    }
-    else if (law->breaks == SF_SEAMS) {
+    } else if (law->breaks == SF_SEAMS) {
         const double goes = v != 0.0 ? v * direction : sf_rate(drive, cos(theta), sf_value(piece, u), u, 0.0);
         const double own = p[law->constants];
         p = law->at(law, u != 0.0 || sf_is_on_one_side(piece) ? own : copysign(1.0, goes), u, goes);
-    }
-    else if (sf_is_beyond(piece, u) ||
-             (law->breaks == SF_BRANCHES && sf_is_on_one_side(piece) && fabs(u) <= sf_near(0.0, v))) {
+    } else if (sf_is_beyond(piece, u) ||
+               (law->breaks == SF_BRANCHES && sf_is_on_one_side(piece) && fabs(u) <= sf_near(0.0, v))) {
         const double own = p[law->constants], goes = v != 0.0 ? v * direction : own;
         if (!sf_is_beyond(piece, u) && goes * own > 0.0)
             return sf_branched(law, p, drive, direction, own, theta, 0.0, u, v, flow, x);
@@ -128,8 +120,7 @@ static SF_INLINE double sf_expanded(const sf_piece *piece, const sf_drive *drive
         constant.friction += law->value(law, p, 0.0);
         sf_forceless(&constant, theta, u, v, flow, x);
         return sf_step_of(x, flow != NULL);
-    }
-    else if (u == 0.0 && law->breaks != SF_SMOOTH) {
+    } else if (u == 0.0 && law->breaks != SF_SMOOTH) {
         const double side = v != 0.0 ? v * direction : sf_rate(drive, cos(theta), 0.0, 0.0, 0.0);
         p = piece->p[side > 0.0];
         if (law->breaks == SF_BRANCHES)
@@ -140,8 +131,7 @@ static SF_INLINE double sf_expanded(const sf_piece *piece, const sf_drive *drive
 }
 
 /* The first place strictly between u and `there` where the motion goes over to another series; infinite if none. */
-static inline double sf_passed(const sf_piece *piece, double u, double there)
-{
+static inline double sf_passed(const sf_piece *piece, double u, double there) {
     if (piece->law->breaks == SF_SMOOTH)
         return HUGE_VAL;
     const double place = piece->law->breaks == SF_SEAMS
@@ -151,8 +141,7 @@ static inline double sf_passed(const sf_piece *piece, double u, double there)
 }
 
 /* Where series meet, on a step of h that passes that place. */
-static double sf_met(const sf_expansion *x, double h, double place)
-{
+static double sf_met(const sf_expansion *x, double h, double place) {
     double scaled[SF_TERMS];
     const double side = copysign(1.0, x->u[0] - place);
     sf_scaled(x->u, h, side, scaled);

@@ -31,13 +31,13 @@ typedef struct {
  * which 0 may be one, and are those of a polynomial between them. */
 typedef enum { SF_SMOOTH, SF_MEETS, SF_BRANCHES, SF_BEGINS, SF_SEAMS } sf_breaks;
 
-/* One piece of a restoring force: f(u), df/du, and the expansion of the motion over it, with the derivatives by column at
- * a fixed theta = Omega tau from those in `flow`, or without where that is NULL. Its functions take the law itself, `self`,
- * by which one text serves many forces. After its constants, p holds the side of u = 0, 1 or -1. begins: the u at which
- * it begins without a series on the side of u, or NULL. Of SF_SEAMS: seam, the place ahead of u in a direction, 0 among
- * them where the piece is on both sides; at, what expansions take in place of p from u on in a direction. The others
- * have neither. powers: writes what a polynomial in u > 0 has next to u^0, u^1, ..., and returns its degree, at most
- * SF_FORCE_DEGREE; NULL for any other force. */
+/* One piece of a restoring force: f(u), df/du, and the expansion of the motion over it, with the derivatives by column
+ * at a fixed theta = Omega tau from those in `flow`, or without where that is NULL. Its functions take the law itself,
+ * `self`, by which one text serves many forces. After its constants, p holds the side of u = 0, 1 or -1. begins: the u
+ * at which it begins without a series on the side of u, or NULL. Of SF_SEAMS: seam, the place ahead of u in a
+ * direction, 0 among them where the piece is on both sides; at, what expansions take in place of p from u on in a
+ * direction. The others have neither. powers: writes what a polynomial in u > 0 has next to u^0, u^1, ..., and returns
+ * its degree, at most SF_FORCE_DEGREE; NULL for any other force. */
 typedef struct sf_law sf_law;
 
 struct sf_law {
@@ -63,8 +63,7 @@ typedef struct sf_piece {
 } sf_piece;
 
 /* The piece that holds at u, or next to it: below where one begins without a series it has no values. */
-static inline const sf_piece *sf_defined(const sf_piece *piece, double u)
-{
+static inline const sf_piece *sf_defined(const sf_piece *piece, double u) {
     if (piece->law->begins == NULL || piece->below == NULL)
         return piece;
     const double place = piece->law->begins(piece->law, piece->p[u > 0.0], u);
@@ -73,25 +72,22 @@ static inline const sf_piece *sf_defined(const sf_piece *piece, double u)
 
 /* Whether a piece is on one side of 0; where it has no series there, whether u is beyond, as Newton's iteration tries
  * it. A force that stays what it is at 0 leaves the equations and their slopes at the solution as they are. */
-static inline int sf_is_on_one_side(const sf_piece *piece)
-{
+static inline int sf_is_on_one_side(const sf_piece *piece) {
     const int n = piece->law->constants;
     return piece->p[0][n] == piece->p[1][n];
 }
 
-static inline int sf_is_beyond(const sf_piece *piece, double u)
-{
-    return piece->law->breaks == SF_BRANCHES && sf_is_on_one_side(piece) && u * piece->p[0][piece->law->constants] < 0.0;
+static inline int sf_is_beyond(const sf_piece *piece, double u) {
+    return piece->law->breaks == SF_BRANCHES && sf_is_on_one_side(piece) &&
+           u * piece->p[0][piece->law->constants] < 0.0;
 }
 
-static inline double sf_value(const sf_piece *piece, double u)
-{
+static inline double sf_value(const sf_piece *piece, double u) {
     piece = sf_defined(piece, u);
     return piece->law->value(piece->law, piece->p[u > 0.0], sf_is_beyond(piece, u) ? 0.0 : u);
 }
 
-static inline double sf_slope(const sf_piece *piece, double u)
-{
+static inline double sf_slope(const sf_piece *piece, double u) {
     piece = sf_defined(piece, u);
     return piece->law->slope(piece->law, piece->p[u > 0.0], sf_is_beyond(piece, u) ? 0.0 : u);
 }
@@ -103,8 +99,7 @@ typedef void sf_begin(const double *p, double *first, double *over);
 typedef void sf_next(const sf_coefficients *c, const double *p, double *w, sf_four *left, sf_four *right);
 
 /* sums of left[j] right[n - j] for from <= j <= n - from, group by group */
-static SF_INLINE void sf_sums(const sf_four *left, const sf_four *right, int n, int from, int fours, sf_four *sum)
-{
+static SF_INLINE void sf_sums(const sf_four *left, const sf_four *right, int n, int from, int fours, sf_four *sum) {
     for (int k = 0; k < fours; k++) {
         sf_four even = sf_four_of(0.0, 0.0, 0.0, 0.0), odd = even;
         int low = from, high = n - from;
@@ -121,8 +116,7 @@ static SF_INLINE void sf_sums(const sf_four *left, const sf_four *right, int n, 
 /* Coefficients n of all series of a piece but u's, which is given; the coefficients w[0], w[1], w[n - 1] and w[n] take
  * turns in four parts of `w`. Gives where those of order n stand. */
 static SF_INLINE const double *sf_carried(sf_next *next, const double *p, int n, double u, int series, int fours,
-                                          const double *over, double *w, sf_four *left, sf_four *right)
-{
+                                          const double *over, double *w, sf_four *left, sf_four *right) {
     static const double none[SF_MOST_SERIES] = {0.0};
     sf_four sum[SF_MOST_FOURS];
     double *const now = w + (n == 1 ? 1 : 2 + n % 2) * series;
@@ -135,8 +129,7 @@ static SF_INLINE const double *sf_carried(sf_next *next, const double *p, int n,
 }
 
 /* coefficient n of a product */
-static SF_INLINE double sf_times_at(const sf_series a, const sf_series b, int n)
-{
+static SF_INLINE double sf_times_at(const sf_series a, const sf_series b, int n) {
     double sum = 0.0;
     for (int j = 0; j <= n; j++)
         sum += a[j] * b[n - j];
@@ -144,8 +137,7 @@ static SF_INLINE double sf_times_at(const sf_series a, const sf_series b, int n)
 }
 
 /* the same, times a number, added to a sum */
-static SF_INLINE void sf_add_fours(double factor, const sf_series a, const sf_four *b, int n, sf_four *sum)
-{
+static SF_INLINE void sf_add_fours(double factor, const sf_series a, const sf_four *b, int n, sf_four *sum) {
     sf_four found = sf_all(0.0);
     for (int j = 0; j <= n; j++)
         found = sf_more(found, sf_all(a[j]), b[n - j]);
@@ -154,14 +146,12 @@ static SF_INLINE void sf_add_fours(double factor, const sf_series a, const sf_fo
 
 static SF_INLINE int sf_has_products(const sf_drive *drive) { return drive->c_3 != 0.0 || drive->zeta_2 != 0.0; }
 
-static SF_INLINE void sf_add_products(const sf_series u, const sf_series v, int n, sf_products *of)
-{
+static SF_INLINE void sf_add_products(const sf_series u, const sf_series v, int n, sf_products *of) {
     of->uu[n] = sf_times_at(u, u, n), of->uv[n] = sf_times_at(u, v, n), of->vv[n] = sf_times_at(v, v, n);
 }
 
 /* v' where a step begins, in a force f, as in the events of a motion */
-static SF_INLINE double sf_rate(const sf_drive *drive, double cosine, double f, double u, double v)
-{
+static SF_INLINE double sf_rate(const sf_drive *drive, double cosine, double f, double u, double v) {
     double resists[3];
     motion_resistance(v, drive->zeta, drive->friction, drive->quadratic, drive->c_3, drive->zeta_2, u, resists);
     return motion_acceleration(cosine, v, drive->F_0, drive->zeta, resists[0], f);
@@ -169,8 +159,7 @@ static SF_INLINE double sf_rate(const sf_drive *drive, double cosine, double f, 
 
 /* coefficient n of v', n > 0, from those of cos theta and f: of what resists a constant is in the first alone */
 static SF_INLINE double sf_rate_of(const sf_drive *drive, double cosine, double f, const sf_series v,
-                                   const sf_products *of, int n)
-{
+                                   const sf_products *of, int n) {
     double resists = drive->quadratic != 0.0 ? drive->quadratic * sf_times_at(v, v, n) : 0.0;
     if (sf_has_products(drive))
         resists += drive->c_3 * sf_times_at(v, of->vv, n) + 2.0 * drive->zeta_2 * sf_times_at(v, of->uu, n);
@@ -178,16 +167,14 @@ static SF_INLINE double sf_rate_of(const sf_drive *drive, double cosine, double 
 }
 
 /* What v' falls by per V, by zeta; of what is quadratic in v it is the same of that times v. */
-static SF_INLINE double sf_damped(double zeta)
-{
+static SF_INLINE double sf_damped(double zeta) {
     double by_state[4];
     motion_rates_by_state(1.0, zeta, 0.0, by_state);
     return -by_state[3];
 }
 
 /* What a rate in time changes by with Omega at a fixed theta, over the rate. */
-static SF_INLINE double sf_by_Omega(double Omega)
-{
+static SF_INLINE double sf_by_Omega(double Omega) {
     double by_parameter[10];
     motion_rates_by_parameter(0.0, 1.0, Omega, 0.0, 0.0, 0.0, 0.0, by_parameter);
     return by_parameter[0] * Omega;
@@ -199,8 +186,7 @@ static SF_INLINE double sf_by_Omega(double Omega)
  * and what zeta has. f' is series `slope`; where it is linear, its first coefficient. */
 static SF_INLINE void sf_expand(sf_begin *begin, sf_next *next, const double *p, const sf_drive *drive, double theta,
                                 double u, double v, const sf_four *flow, int series, int fours, int value, int slope,
-                                int linear, double *over, double *w, sf_four *left, sf_four *right, sf_expansion *x)
-{
+                                int linear, double *over, double *w, sf_four *left, sf_four *right, sf_expansion *x) {
     const int both = flow != NULL;
     const double by_Omega = both ? sf_by_Omega(drive->Omega) : 0.0;
     const double damped_more = both ? sf_damped(drive->zeta_by_Omega) : 0.0;
@@ -262,24 +248,21 @@ static inline double sf_greater(double a, double b) { return a > b ? a : b; }
 static inline double sf_lesser(double a, double b) { return a < b ? a : b; }
 
 /* log2 |x| to 0.1 */
-static inline double sf_log2(double x)
-{
+static inline double sf_log2(double x) {
     uint64_t bits;
     memcpy(&bits, &x, sizeof bits);
     bits &= INT64_MAX;
     return (double)(int64_t)bits * 0x1p-52 - 1023.0;
 }
 
-static inline double sf_largest(const sf_four *row)
-{
+static inline double sf_largest(const sf_four *row) {
     const double pair = sf_greater(fabs(sf_lane(row, 0)), fabs(sf_lane(row, 1)));
     return sf_greater(pair, sf_greater(fabs(sf_lane(row, 2)), fabs(sf_lane(row, 3))));
 }
 
 /* log2 of the step at which the last two terms are a rounding of the largest of the first four, of which three
  * vanish at rest under no force; of what vanishes the logarithm is -1023 */
-static SF_INLINE double sf_reach(const double head[4], double before, double last)
-{
+static SF_INLINE double sf_reach(const double head[4], double before, double last) {
     const double of_before = sf_log2(before) + 54.0, of_last = sf_log2(last) + 54.0;
     double to_before = -HUGE_VAL, to_last = -HUGE_VAL;
     for (int k = 0; k < 4; k++) {
@@ -291,8 +274,7 @@ static SF_INLINE double sf_reach(const double head[4], double before, double las
 }
 
 /* The step over which the last two terms of every series are no more than a rounding; very long where all vanish. */
-static SF_INLINE double sf_step_of(const sf_expansion *x, int variations)
-{
+static SF_INLINE double sf_step_of(const sf_expansion *x, int variations) {
     double least = sf_lesser(sf_reach(x->u, x->u[SF_ORDER - 1], x->u[SF_ORDER]),
                              sf_reach(x->v, x->v[SF_ORDER - 1], x->v[SF_ORDER]));
     for (int i = 0; variations && i < 2; i++) {
@@ -304,8 +286,7 @@ static SF_INLINE double sf_step_of(const sf_expansion *x, int variations)
 }
 
 /* a in units of h: a[k] h^k, times a sign */
-static inline void sf_scaled(const double *a, double h, double sign, double *out)
-{
+static inline void sf_scaled(const double *a, double h, double sign, double *out) {
     const double square = h * h;
     double even = sign, odd = sign * h;
     out[0] = sign * a[0];
@@ -317,8 +298,7 @@ static inline void sf_scaled(const double *a, double h, double sign, double *out
 }
 
 /* by Horner's rule, for even and odd powers apart */
-static inline double sf_at(const double *series, double h)
-{
+static inline double sf_at(const double *series, double h) {
     const double square = h * h;
     double even = series[SF_ORDER], odd = series[SF_ORDER - 1];
     for (int k = SF_ORDER - 2; k >= 2; k -= 2)
@@ -326,8 +306,7 @@ static inline double sf_at(const double *series, double h)
     return series[0] + (h * odd + square * even);
 }
 
-static inline void sf_four_at(const sf_four *series, double h, sf_four *out)
-{
+static inline void sf_four_at(const sf_four *series, double h, sf_four *out) {
     const sf_four step = sf_all(h), square = sf_all(h * h);
     sf_four even = series[SF_ORDER], odd = series[SF_ORDER - 1];
     for (int k = SF_ORDER - 2; k >= 2; k -= 2)

@@ -33,15 +33,13 @@ typedef struct {
 static inline size_t sf_numbers_of_point(long k) { return (size_t)(2 * (k + 3) + 7); }
 
 /* spans count too: where phases are about to vanish, the curve is smooth in them and in nothing else */
-static inline double sf_weight(const sf_course *course, const double *z, long j, long size)
-{
+static inline double sf_weight(const sf_course *course, const double *z, long j, long size) {
     const double u = fmax(fabs(z[0]), course->least);
     return j == 0 ? 1.0 / (u * u) : j == 1 ? 1.0 : j == size - 1 ? 4.0 : 0.1;
 }
 
 /* The square of a length is the inner product with itself, by the weights at z. */
-static double sf_inner(const sf_course *course, const double *z, const double *a, const double *b, long size)
-{
+static double sf_inner(const sf_course *course, const double *z, const double *a, const double *b, long size) {
     double sum = 0.0;
     for (long j = 0; j < size; j++)
         sum += sf_weight(course, z, j, size) * a[j] * b[j];
@@ -49,8 +47,8 @@ static double sf_inner(const sf_course *course, const double *z, const double *a
 }
 
 /* Whether the motion from z's start really switches in the order of the cycle, every switch at its time. */
-static int sf_holds(sf_forced *forced, const sf_cycle *cycle, int starts_from_rest, const double *z, sf_phases *phases)
-{
+static int sf_holds(sf_forced *forced, const sf_cycle *cycle, int starts_from_rest, const double *z,
+                    sf_phases *phases) {
     const long k = cycle->k;
     for (long i = 0; i < k; i++)
         if (!(z[2 + i] > 0.0))
@@ -72,11 +70,10 @@ static int sf_holds(sf_forced *forced, const sf_cycle *cycle, int starts_from_re
     return 1;
 }
 
-/* Where the curve is expected at a distance by `row`: along its tangent, bent as it was on the way from the point before
- * if that is not much shorter. */
+/* Where the curve is expected at a distance by `row`: along its tangent, bent as it was on the way from the point
+ * before if that is not much shorter. */
 static void sf_ahead(const sf_course *course, const sf_trail *trail, const double *row, double distance, long size,
-                     double *out)
-{
+                     double *out) {
     const double *const z = trail->last.z, *const tangent = trail->last.tangent;
     const sf_curve_point before = trail->before;
     double rate = 0.0, far = 0.0, passed = 0.0;
@@ -101,8 +98,7 @@ static void sf_ahead(const sf_course *course, const sf_trail *trail, const doubl
 }
 
 /* Whether the curve passes its first point between z and `next`, not on another branch that is near in its tangent. */
-static int sf_closes(const sf_course *course, const double *z, const double *next, long size, double *way)
-{
+static int sf_closes(const sf_course *course, const double *z, const double *next, long size, double *way) {
     double from = 0.0, to = 0.0, apart[2];
     for (int i = 0; i < 2; i++) {
         for (long j = 0; j < size; j++)
@@ -117,8 +113,7 @@ static int sf_closes(const sf_course *course, const double *z, const double *nex
  * to be decided; of a step that is not taken, but for SF_LOST, the point that it leads to is put down behind them.
  * `work`: numbers for sf_newton and 3 (k + 3) more. */
 static long sf_trace(sf_forced *forced, const sf_cycle *cycle, const sf_course *course, sf_trail *trail, double *rows,
-                     long room, sf_equations *found, sf_phases *phases, double *work, sf_pause *pause)
-{
+                     long room, sf_equations *found, sf_phases *phases, double *work, sf_pause *pause) {
     const long k = cycle->k, size = k + 3;
     double *const row = work, *const next = row + size, *const direction = next + size, *const rest = direction + size;
     for (long count = 0;;) {
@@ -155,8 +150,8 @@ static long sf_trace(sf_forced *forced, const sf_cycle *cycle, const sf_course *
         if (!(near && inside && holds))
             return count;
         trail->travelled += trail->step;
-        const int closes = course->first.z != NULL && trail->travelled > 10.0 * course->step &&
-                           sf_closes(course, z, next, size, way);
+        const int closes =
+            course->first.z != NULL && trail->travelled > 10.0 * course->step && sf_closes(course, z, next, size, way);
         const int turns = direction[size - 1] * tangent[size - 1] < 0.0 || found->A > course->largest;
         trail->before = trail->last, trail->last = (sf_curve_point){out, out + size};
         *pause = closes ? SF_CLOSES : turns ? SF_TURNS : SF_FULL;

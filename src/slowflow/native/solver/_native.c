@@ -33,20 +33,19 @@ static const struct {
     {"may_be_state", "(2),(2),(),(),(4)->()", "dddddd", "A, p, Omega, force, damping -> whether there may be states.",
      sf_may_be_state_loop},
     {"folds_between", "(2),(2),(2),(4),(),(),(),()->(2),()", "dddddddddd",
-     "A, p, e, damping, inertial, sign of R, lowest, highest F_0 -> |R|; whether there are folds.", sf_folds_between_loop},
+     "A, p, e, damping, inertial, sign of R, lowest, highest F_0 -> |R|; whether there are folds.",
+     sf_folds_between_loop},
     {"moved", "(33)->(6)", "dd", "an answer by what is known there, and of that -> derivatives, whether it is single.",
      sf_slopes_loop},
 };
 
-static int fill(PyObject *self)
-{
+static int fill(PyObject *self) {
     if (sf_here() == NULL) {
         PyErr_SetString(PyExc_ImportError,
                         "built on a processor with fma and AVX2, which this one has not: build again");
         return -1;
     }
-    if (sf_add_records(self) < 0 || sf_add_questions(self) < 0 || sf_add_boxes(self) < 0 ||
-        sf_add_intervals(self) < 0)
+    if (sf_add_records(self) < 0 || sf_add_questions(self) < 0 || sf_add_boxes(self) < 0 || sf_add_intervals(self) < 0)
         return -1;
     for (size_t i = 0; i < sizeof gufuncs / sizeof gufuncs[0]; i++) {
         PyObject *gufunc = sf_new_ufunc(gufuncs[i].name, gufuncs[i].doc, gufuncs[i].signature, gufuncs[i].types,
@@ -72,7 +71,4 @@ static struct PyModuleDef definition = {
     PyModuleDef_HEAD_INIT, "_native", "Compiled solvers.", 0, NULL, slots, NULL, NULL, NULL,
 };
 
-PyMODINIT_FUNC PyInit__native(void)
-{
-    return PyModuleDef_Init(&definition);
-}
+PyMODINIT_FUNC PyInit__native(void) { return PyModuleDef_Init(&definition); }

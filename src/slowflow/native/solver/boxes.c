@@ -11,8 +11,7 @@
 #include <numpy/arrayobject.h>
 
 /* A new array of what n records have at an offset: (n,), or (d, n) of d numbers each. There may be no records. */
-static PyObject *member(int type, int d, ptrdiff_t n, const void *records, size_t offset, size_t step)
-{
+static PyObject *member(int type, int d, ptrdiff_t n, const void *records, size_t offset, size_t step) {
     const npy_intp shape[2] = {d, n}, steps[2] = {sizeof(double), (npy_intp)step};
     const int axis = d == 0;
     void *const first = n > 0 ? (char *)(void *)records + offset : NULL;
@@ -31,14 +30,13 @@ typedef struct {
 } called;
 
 /* Asks the function: low, high, numbers of systems -> rows of numbers as `sf_values` has them. */
-static int on(void *self, ptrdiff_t n, const sf_box_place *points, sf_values *out)
-{
+static int on(void *self, ptrdiff_t n, const sf_box_place *points, sf_values *out) {
     const called *of = self;
-    PyObject *result = PyObject_CallFunction(of->on, "NNN", COLUMNS(sf_box_place, low, of->d, n, points),
-                                             COLUMNS(sf_box_place, high, of->d, n, points),
-                                             SYSTEMS(sf_box_place, n, points));
-    PyArrayObject *rows = result == NULL ? NULL
-                                         : (PyArrayObject *)PyArray_FROMANY(result, NPY_DOUBLE, 2, 2, NPY_ARRAY_CARRAY_RO);
+    PyObject *result =
+        PyObject_CallFunction(of->on, "NNN", COLUMNS(sf_box_place, low, of->d, n, points),
+                              COLUMNS(sf_box_place, high, of->d, n, points), SYSTEMS(sf_box_place, n, points));
+    PyArrayObject *rows =
+        result == NULL ? NULL : (PyArrayObject *)PyArray_FROMANY(result, NPY_DOUBLE, 2, 2, NPY_ARRAY_CARRAY_RO);
     const int done = rows != NULL && PyArray_NBYTES(rows) == n * (npy_intp)sizeof *out;
     if (done)
         memcpy(out, PyArray_DATA(rows), (size_t)n * sizeof *out);
@@ -48,8 +46,7 @@ static int on(void *self, ptrdiff_t n, const sf_box_place *points, sf_values *ou
     return done;
 }
 
-static PyObject *solve(PyObject *self, PyObject *args)
-{
+static PyObject *solve(PyObject *self, PyObject *args) {
     PyObject *result = NULL;
     Py_buffer buffer;
     called of;
@@ -87,7 +84,6 @@ static PyMethodDef methods[] = {
     {NULL, NULL, 0, NULL},
 };
 
-int sf_add_boxes(PyObject *module)
-{
+int sf_add_boxes(PyObject *module) {
     return PyArray_ImportNumPyAPI() < 0 ? -1 : PyModule_AddFunctions(module, methods);
 }

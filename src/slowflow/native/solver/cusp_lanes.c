@@ -10,8 +10,7 @@
 /* of A^3 h_AA^2, and of its inverse: beyond it products might underflow */
 #define SMALLEST 0x1p-900
 
-static inline double root_at(double a, double b, double root, double sign)
-{
+static inline double root_at(double a, double b, double root, double sign) {
     const double turned = sign * a, quotient = -b / (turned + root), sum = root - turned;
     return sign * (turned > 0 ? quotient : sum);
 }
@@ -23,8 +22,7 @@ typedef struct {
 } value;
 
 static inline value value_at(double A, double h, double h_A, double h_AA, double h_AAA, double k, double m, double zeta,
-                             double sign)
-{
+                             double sign) {
     double q[5], R[2], cusp[4];
     slow_flow_cusps(A, zeta, h, h_A, h_AA, k, q);
     const double root = sqrt(SF_GREATER(q[4], 0.0)), X = root_at(q[2], q[3], root, sign),
@@ -40,7 +38,8 @@ static inline value value_at(double A, double h, double h_A, double h_AA, double
 #define MOST(hi, x_lo, x_hi) ((hi) * ((hi) >= 0 ? (x_hi) : (x_lo)))
 
 /* What is known of both channels on a cell, with B = A |h_AA|: tau = dR/dA / B is a root of tau^2 + 2 a tau + b, and
- * then Omega^2 = B tau - h_A; kappa = k/(A^2 h_AA), rho = A h_AAA/h_AA (derivations/systems/along.py claims all of it) */
+ * then Omega^2 = B tau - h_A; kappa = k/(A^2 h_AA), rho = A h_AAA/h_AA (derivations/systems/along.py claims all of it)
+ */
 typedef struct {
     double a, b, m, zeta, most, sign, B_lo, B_hi, P_lo, P_hi, h_A_lo, h_A_hi, kappa_lo, kappa_hi, rho_lo, rho_hi;
 } shared;
@@ -53,8 +52,7 @@ typedef struct {
  * Q = 2 m zeta Omega; its slope has the factors rho (kappa + t) + 3 t and kappa + 2 t + (m zeta/(A Omega) + 4
  * zeta^2)/(A h_AA), and no other that vanishes; F_0^2 is m^2 + A Q + A P kappa (kappa + t). Each is bounded by its
  * terms. */
-static inline channel channel_on(shared of, double tau_lo, double tau_hi)
-{
+static inline channel channel_on(shared of, double tau_lo, double tau_hi) {
     const double turned = of.sign > 0 ? 1.0 : 0.0, kappa_lo = of.kappa_lo, kappa_hi = of.kappa_hi;
     const double t_lo = turned > 0 ? tau_lo : -tau_hi, t_hi = turned > 0 ? tau_hi : -tau_lo;
     const double size = SF_GREATER(fabs(tau_lo), fabs(tau_hi)), deep = SF_GREATER(-kappa_lo, 1.0);
@@ -87,8 +85,7 @@ static inline channel channel_on(shared of, double tau_lo, double tau_hi)
                      ((g_lo > error_g) | (g_hi < -error_g)) & ((k_lo > error_k) | (k_hi < -error_k))};
 }
 
-SF_WIDE static void judge(ptrdiff_t n, sf_lane_cells *cells)
-{
+SF_WIDE static void judge(ptrdiff_t n, sf_lane_cells *cells) {
     SF_EACH(i, n) {
         const double a = cells->low[0][i], h_a = cells->low[1][i], h1_a = cells->low[2][i], h2_a = cells->low[3][i];
         const double b = cells->high[0][i], h_b = cells->high[1][i], h1_b = cells->high[2][i], h2_b = cells->high[3][i];
@@ -103,11 +100,12 @@ SF_WIDE static void judge(ptrdiff_t n, sf_lane_cells *cells)
         const double square = zeta * zeta, apart = on.h1_hi - on.h1_lo, of_slope = 16 * square * (on.h1_hi + square);
         const int rises =
             ((on.h1_lo >= 0) | (on.h1_hi <= 0)) & (on.h1_lo + 2 * square > SF_CLOSE * (fabs(on.h1_lo) + square));
-        const int is_free = (a + fabs(h_a) == 0) &
-                            (rises | (apart * apart + of_slope < -SF_CLOSE * (apart * apart + fabs(of_slope))));
+        const int is_free =
+            (a + fabs(h_a) == 0) & (rises | (apart * apart + of_slope < -SF_CLOSE * (apart * apart + fabs(of_slope))));
 
-        /* rho, and kappa from its values at the ends: where h is nearly a power of A both vary by little. From the first
-         * amplitude on |h_AA| rises as h_AAA lets it, and kappa stays between what it is there and -1/(2 + rho) */
+        /* rho, and kappa from its values at the ends: where h is nearly a power of A both vary by little. From the
+         * first amplitude on |h_AA| rises as h_AAA lets it, and kappa stays between what it is there and -1/(2 + rho)
+         */
         const double sign = h2_a < 0 ? -1.0 : 1.0, from = fabs(h2_a);
         const double least = sign > 0 ? on.h2_lo : -on.h2_hi, greatest = sign > 0 ? on.h2_hi : -on.h2_lo;
         const double s_lo = SF_LESSER(sign * h3_a, sign * h3_b), s_hi = SF_GREATER(sign * h3_a, sign * h3_b);
@@ -130,8 +128,8 @@ SF_WIDE static void judge(ptrdiff_t n, sf_lane_cells *cells)
         /* tau as a root of its quadratic */
         const double B_lo = a * least * (1 - SF_ERROR), B_hi = b * greatest * (1 + SF_ERROR);
         const double P_lo = a * B_lo * B_lo, P_hi = b * B_hi * B_hi;
-        const shared of = {a, b, m, zeta, most, sign, B_lo, B_hi, P_lo, P_hi, on.h1_lo, on.h1_hi,
-                           kappa_lo, kappa_hi, rho_lo, rho_hi};
+        const shared of = {a,    b,    m,        zeta,     most,     sign,     B_lo,   B_hi,
+                           P_lo, P_hi, on.h1_lo, on.h1_hi, kappa_lo, kappa_hi, rho_lo, rho_hi};
         const int is_scaled = (least > 0) & (a > 0) & (s_lo >= 0) & (rho_hi < HIGHEST_POWER) & (kappa_hi < 1) &
                               (P_lo > SMALLEST) & (P_hi < 1 / SMALLEST);
         const double z_lo = 2 * square / B_hi, z_hi = 2 * square / B_lo;
@@ -159,8 +157,8 @@ SF_WIDE static void judge(ptrdiff_t n, sf_lane_cells *cells)
 
         const double product = (at_a.least > 0 ? at_a.y : NAN) * (at_b.least > 0 ? at_b.y : NAN);
         const int is_settled = is_scaled & found.throughout & found.monotone & (disc_lo > 0);
-        const int has_none = (is_scaled & ((kappa_lo >= 0) | (disc_hi < 0) | found.none)) | is_free |
-                             (is_settled & (product > 0));
+        const int has_none =
+            (is_scaled & ((kappa_lo >= 0) | (disc_hi < 0) | found.none)) | is_free | (is_settled & (product > 0));
         const int has_one = is_settled & (product < 0);
         const double inside = a > 0 ? 0.5 * (a + b) : 0.125 * b;
         cells->verdict[i] = sf_verdict_of(!(on.h1_hi < 0), has_none, has_one);
@@ -169,8 +167,7 @@ SF_WIDE static void judge(ptrdiff_t n, sf_lane_cells *cells)
     }
 }
 
-SF_WIDE static void approach(ptrdiff_t n, sf_lane_zeros *zeros)
-{
+SF_WIDE static void approach(ptrdiff_t n, sf_lane_zeros *zeros) {
     SF_EACH(i, n) {
         const double A = zeros->at[0][i], h = zeros->at[1][i], h_A = zeros->at[2][i], h_AA = zeros->at[3][i];
         const double h_AAA = zeros->at[4][i], k = zeros->at[5][i], zeta = zeros->task[1][i], m = zeros->task[2][i];

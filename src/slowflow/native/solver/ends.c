@@ -11,8 +11,7 @@
 
 /* L_k and M_k of a step, k from -below up to highest, in places from L and M on.
  * whole: whether all of the motion is above it, wherever that is */
-static void step_means(double A, double a, int whole, int below, int highest, double *L, double *M)
-{
+static void step_means(double A, double a, int whole, int below, int highest, double *L, double *M) {
     const double span = (A - a) * (A + a);
     double found[4] = {0, 1, 0, 0}, *L_0 = L + below, *M_0 = M + below;
     for (int k = 0; k <= below + highest; k++)
@@ -38,8 +37,7 @@ static void step_means(double A, double a, int whole, int below, int highest, do
 }
 
 /* A, a, whether the step is below all of the motion, how many k are negative, room for all k -> L_k, M_k */
-void sf_step_means_loop(char **operands, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data)
-{
+void sf_step_means_loop(char **operands, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data) {
     enum { MOST = SF_MOST_POWERS + 8 };
     const int orders = (int)dimensions[1];
     (void)data;
@@ -61,8 +59,7 @@ typedef struct {
     sf_interval c_0, s_0, P_1, Q_1, P_P, Q_Q, c_3, s_2;
 } sf_remainder;
 
-static void add_remainder(const sf_remainder *of, sf_ended *out)
-{
+static void add_remainder(const sf_remainder *of, sf_ended *out) {
     const sf_interval X_X = sfi_square(out->X), Y_Y = sfi_square(out->Y);
     out->c_0 = sfi_add(out->c_0, of->c_0), out->s_0 = sfi_add(out->s_0, of->s_0);
     out->c_x = sfi_add(out->c_x, sfi_mul(out->X, of->P_1)), out->c_y = sfi_sub(out->c_y, sfi_mul(out->Y, of->Q_1));
@@ -72,8 +69,7 @@ static void add_remainder(const sf_remainder *of, sf_ended *out)
 }
 
 /* Numbers of an operand of size n, one after the other. */
-static const double *numbers_of(const char *at, ptrdiff_t step, ptrdiff_t n, double *out)
-{
+static const double *numbers_of(const char *at, ptrdiff_t step, ptrdiff_t n, double *out) {
     for (ptrdiff_t k = 0; k < n; k++, at += step)
         out[k] = *(const double *)(const void *)at;
     return out;
@@ -91,8 +87,7 @@ enum { SF_OF_BOX = 6, SF_OF_SYSTEM = sizeof(sf_values) / sizeof(double), SF_MOST
  * of these sizes, 0 behind the last -> so many numbers. Where there are no such charts any number is allowed, so
  * that nothing is taken to be absent there. */
 static void by_boxes(void (*call)(const sf_on_box *in, double *out), const int *sizes, int outputs, char **operands,
-                     const ptrdiff_t *dimensions, const ptrdiff_t *steps)
-{
+                     const ptrdiff_t *dimensions, const ptrdiff_t *steps) {
     const double *known = NULL;
     const ptrdiff_t d = dimensions[2], size = dimensions[3];
     sf_charts charts = {0};
@@ -110,7 +105,8 @@ static void by_boxes(void (*call)(const sf_on_box *in, double *out), const int *
             is_known = core[0] == (ptrdiff_t)sizeof *packed && sf_read_charts(packed, dimensions[1], &charts);
             known = packed;
         }
-        numbers_of(operands[1] + i * steps[1], core[1], d, in.low), numbers_of(operands[2] + i * steps[2], core[2], d, in.high);
+        numbers_of(operands[1] + i * steps[1], core[1], d, in.low);
+        numbers_of(operands[2] + i * steps[2], core[2], d, in.high);
         in.load = load, more = in.more, core += 4;
         for (int operand = SF_OF_BOX; operand < all; more += sizes[operand++ - SF_OF_BOX])
             numbers_of(operands[operand] + i * steps[operand], sizes[operand - SF_OF_BOX] > 1 ? *core++ : 0,
@@ -136,8 +132,7 @@ enum { SF_MOST_OF_ROW = 40 };
 /* A function of numbers in a row, for each element: inputs one after the other, then outputs.
  * sizes -- of the operands, 0 behind the last; core axes, of those above 1, have their strides behind all others */
 static void by_rows(void (*call)(const double *in, double *out), int inputs, const int *sizes, char **operands,
-                    const ptrdiff_t *dimensions, const ptrdiff_t *steps)
-{
+                    const ptrdiff_t *dimensions, const ptrdiff_t *steps) {
     int all = 0;
     while (sizes[all] > 0)
         all++;
@@ -158,27 +153,24 @@ static void by_rows(void (*call)(const double *in, double *out), int inputs, con
     }
 }
 
-#define BOXES_LOOP(name, call, outputs, ...)                                                                  \
-    void name(char **operands, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data)               \
-    {                                                                                                         \
-        static const int sizes[] = {__VA_ARGS__, 0};                                                          \
-        (void)data;                                                                                           \
-        by_boxes(call, sizes, outputs, operands, dimensions, steps);                                          \
+#define BOXES_LOOP(name, call, outputs, ...)                                                                           \
+    void name(char **operands, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data) {                      \
+        static const int sizes[] = {__VA_ARGS__, 0};                                                                   \
+        (void)data;                                                                                                    \
+        by_boxes(call, sizes, outputs, operands, dimensions, steps);                                                   \
     }
 
-#define ROWS_LOOP(name, call, inputs, ...)                                                                    \
-    void name(char **operands, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data)               \
-    {                                                                                                         \
-        static const int sizes[] = {__VA_ARGS__, 0};                                                          \
-        (void)data;                                                                                           \
-        by_rows(call, inputs, sizes, operands, dimensions, steps);                                            \
+#define ROWS_LOOP(name, call, inputs, ...)                                                                             \
+    void name(char **operands, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data) {                      \
+        static const int sizes[] = {__VA_ARGS__, 0};                                                                   \
+        (void)data;                                                                                                    \
+        by_rows(call, inputs, sizes, operands, dimensions, steps);                                                     \
     }
 
 static void ends(const sf_on_box *in, double *out) { memcpy(out, in, sizeof in->here + sizeof in->middle); }
 
 /* more: whether motions about the centre are there */
-static void on_balance(const sf_on_box *in, double *out)
-{
+static void on_balance(const sf_on_box *in, double *out) {
     struct {
         double low[2], high[2];
         sf_interval p, resists, rising, A, B;
@@ -191,8 +183,7 @@ static void on_balance(const sf_on_box *in, double *out)
 }
 
 /* Values at the middle and on the box and slopes on it, from d of each and d d of these, for a search in boxes. */
-static void of_system(int d, const sf_on_box *in, const sf_interval *middle, const sf_interval *here, sf_values *out)
-{
+static void of_system(int d, const sf_on_box *in, const sf_interval *middle, const sf_interval *here, sf_values *out) {
     int wide = 1;
     for (int i = 0; i < d; i++) {
         out->at[i] = middle[i], out->on[i] = here[i], out->holds[i] = sfi_of(-HUGE_VAL, HUGE_VAL);
@@ -205,8 +196,7 @@ static void of_system(int d, const sf_on_box *in, const sf_interval *middle, con
 }
 
 /* more: Omega, the force and the damping */
-static void ended_state(const sf_on_box *in, double *out)
-{
+static void ended_state(const sf_on_box *in, double *out) {
     sf_interval middle[6], here[6];
     sf_ended_state(&in->middle, in->more[0], in->more[1], (const void *)&in->more[2], in->load, middle);
     sf_ended_state(&in->here, in->more[0], in->more[1], (const void *)&in->more[2], in->load, here);
@@ -214,8 +204,7 @@ static void ended_state(const sf_on_box *in, double *out)
 }
 
 /* more: F_0 and F_2, the damping, and whether motions about the centre are there */
-static void ended_fold(const sf_on_box *in, double *out)
-{
+static void ended_fold(const sf_on_box *in, double *out) {
     const sf_interval R = {in->low[2], in->high[2]}, at = sfi_point(0.5 * (R.lo + R.hi));
     const double *of = in->more;
     sf_interval middle[13], here[13];
@@ -226,15 +215,13 @@ static void ended_fold(const sf_on_box *in, double *out)
 }
 
 /* more: the edge, 0 for x = 0 and 1 for y = 0 */
-static void ended_edge(const sf_on_box *in, double *out)
-{
+static void ended_edge(const sf_on_box *in, double *out) {
     const sf_interval load = sfi_point(in->load), slope = in->more[0] != 0 ? in->here.c_x : in->here.c_y;
     const sf_interval middle = sfi_sub(in->middle.c_0, load), here[2] = {sfi_sub(in->here.c_0, load), slope};
     of_system(1, in, &middle, here, (void *)out);
 }
 
-static void folds_between(const double *in, double *out)
-{
+static void folds_between(const double *in, double *out) {
     const struct {
         sf_interval A, p, e;
         sf_damping damping;
@@ -244,8 +231,7 @@ static void folds_between(const double *in, double *out)
                               (void *)out);
 }
 
-static void may_be_state(const double *in, double *out)
-{
+static void may_be_state(const double *in, double *out) {
     const struct {
         sf_interval A, p;
         double Omega, force;

@@ -12,16 +12,15 @@
 #define NEARLY 0x1p-20
 
 /* The function whose zeros are folds (`fold`) at an amplitude, its slope, Omega there and the square of the Omega by
- * its R. exists: whether it is defined, |k| being no less than sqrt(F_0^2 - m^2); is_close: whether rounding decides that,
- * or its sign */
+ * its R. exists: whether it is defined, |k| being no less than sqrt(F_0^2 - m^2); is_close: whether rounding decides
+ * that, or its sign */
 typedef struct {
     double y, dy, Omega, square;
     int exists, is_close;
 } value;
 
 static inline value value_at(double A, double F_0, double m, double zeta, double h, double h_A, double h_AA, double k,
-                             double least, double error_k)
-{
+                             double least, double error_k) {
     double fold[3], tangent[2];
     slow_flow_intercept(A, h, h_A, h_AA, tangent);
     slow_flow_fold(A, F_0, m, zeta, h, h_A, k, tangent[1], fold);
@@ -30,21 +29,20 @@ static inline value value_at(double A, double F_0, double m, double zeta, double
         fold[2] * slow_flow_I(fold[2], A, m, zeta) / (zeta * SF_GREATER((1 - cosine) * (1 + cosine), SF_CLOSE));
     const double size = F_0 + fabs(h) + A * (1 + SF_FINITE_SIZE(h_A)) + of_k;
     const int exists = beyond >= 0;
-    return (value){fold[0], fold[1], fold[2], slow_flow_fold_square(fold[2], A, fold[0]), exists,
-                   (!(fabs(beyond) > error_k)) | (exists & (!(fabs(fold[0]) > SF_CLOSE * size)))};
+    return (value){fold[0], fold[1],
+                   fold[2], slow_flow_fold_square(fold[2], A, fold[0]),
+                   exists,  (!(fabs(beyond) > error_k)) | (exists & (!(fabs(fold[0]) > SF_CLOSE * size)))};
 }
 
 /* |k| at a fold with this Omega^2 */
-static inline double size_of_k(double square, double A, double F_0, double m, double zeta, double least)
-{
+static inline double size_of_k(double square, double A, double F_0, double m, double zeta, double least) {
     const double lag = 2 * zeta * A * sqrt(SF_GREATER(square, 0.0)), cosine = F_0 * lag / (least * least - m * lag);
     return least / sqrt(SF_GREATER((1 - cosine) * (1 + cosine), 0.01));
 }
 
 /* Where |k| is K next to where folds begin or end, by what is known at x: on the first piece it is nearly a power of x,
  * and above a breakpoint what the jump gives it falls with 1/x. */
-static inline double where_k_is(double K, double x, double k, double k_x, double base, int begins)
-{
+static inline double where_k_is(double K, double x, double k, double k_x, double base, int begins) {
     const double ratio = K / fabs(k), power = k / (x * k_x), signed_K = (begins ? K : -K) * (k_x < 0 ? -1.0 : 1.0);
     const double by_power = x * ((1 + power) * ratio + (1 - power)) / ((1 - power) * ratio + (1 + power));
     const double by_jump = k_x * x * x / (k + k_x * x - signed_K);
@@ -59,8 +57,7 @@ typedef struct {
     double cosine, J, lag;
 } at_k;
 
-static inline at_k at_k_of(double k, double F_0, double m, double excess, double least)
-{
+static inline at_k at_k_of(double k, double F_0, double m, double excess, double least) {
     const double t = least / k, cosine = sqrt(SF_GREATER((1 - t) * (1 + t), 0.0)), J = excess / (F_0 + m * cosine);
     return (at_k){cosine, J, J * cosine};
 }
@@ -68,8 +65,7 @@ static inline at_k at_k_of(double k, double F_0, double m, double excess, double
 /* 0 times what has no bound is 0 */
 #define TIMES(x, y) ((x) == 0 ? 0.0 : (y) == 0 ? 0.0 : (x) * (y))
 
-SF_WIDE static void judge(ptrdiff_t n, sf_lane_cells *cells)
-{
+SF_WIDE static void judge(ptrdiff_t n, sf_lane_cells *cells) {
     SF_EACH(i, n) {
         const double a = cells->low[0][i], h_a = cells->low[1][i], h1_a = cells->low[2][i], h2_a = cells->low[3][i];
         const double b = cells->high[0][i], h_b = cells->high[1][i], h1_b = cells->high[2][i], h2_b = cells->high[3][i];
@@ -109,8 +105,7 @@ SF_WIDE static void judge(ptrdiff_t n, sf_lane_cells *cells)
                      both_hi = is_above ? rate_hi + force_hi : force_hi - rate_lo;
         const double P_lo = F_0 * (far.J / K_hi) * (far.J / K_hi), P_hi = F_0 * (near.J / K_lo) * (near.J / K_lo);
         const double C_lo = both_lo * (both_lo >= 0 ? P_lo : P_hi), C_hi = both_hi * (both_hi >= 0 ? P_hi : P_lo);
-        const double p1 = TIMES(k1_lo, C_lo), p2 = TIMES(k1_lo, C_hi), p3 = TIMES(k1_hi, C_lo),
-                     p4 = TIMES(k1_hi, C_hi);
+        const double p1 = TIMES(k1_lo, C_lo), p2 = TIMES(k1_lo, C_hi), p3 = TIMES(k1_hi, C_lo), p4 = TIMES(k1_hi, C_hi);
         const double p_lo = SF_LESSER(SF_LESSER(p1, p2), SF_LESSER(p3, p4)),
                      p_hi = SF_GREATER(SF_GREATER(p1, p2), SF_GREATER(p3, p4));
         const int p_known = p1 + p2 + p3 + p4 == p1 + p2 + p3 + p4;
@@ -171,8 +166,7 @@ SF_WIDE static void judge(ptrdiff_t n, sf_lane_cells *cells)
 
 /* Where the function vanishes by this amplitude and the one before, in x; next to where the channel begins or ends at
  * first by what |k| is there. Omega from F = 0, which at a fold A changes to second order only. */
-SF_WIDE static void approach(ptrdiff_t n, sf_lane_zeros *zeros)
-{
+SF_WIDE static void approach(ptrdiff_t n, sf_lane_zeros *zeros) {
     SF_EACH(i, n) {
         const double A = zeros->at[0][i], h = zeros->at[1][i], h_A = zeros->at[2][i], h_AA = zeros->at[3][i],
                      k = zeros->at[5][i], base = zeros->base[i];

@@ -14,8 +14,7 @@ typedef struct {
     double y, rise, size;
 } value;
 
-static inline value value_at(double w, double A, double F_0, double m, double zeta, double h_A)
-{
+static inline value value_at(double w, double A, double F_0, double m, double zeta, double h_A) {
     double peak[2];
     slow_flow_peak(w, A, F_0, m, zeta, h_A, peak);
     return (value){peak[0], peak[1], peak[0] + 2 * F_0 * F_0};
@@ -27,8 +26,7 @@ typedef struct {
 } channel;
 
 static inline channel channel_on(double w_lo, double w_hi, double a, double b, double F_0, double m, double zeta,
-                                 sf_lane_slopes on)
-{
+                                 sf_lane_slopes on) {
     const double q = m * zeta, e = 2 * zeta * zeta;
     const double R_lo = e * a + (m > 0 ? q / w_hi : 0.0), R_hi = e * b + (m > 0 ? q / w_lo : 0.0);
     const double I_lo = 2 * zeta * a * w_lo + m, I_hi = 2 * zeta * b * w_hi + m;
@@ -40,8 +38,7 @@ static inline channel channel_on(double w_lo, double w_hi, double a, double b, d
                      S_hi < -4 * SF_CLOSE * (w_hi * w_hi + SF_FINITE_SIZE(on.h1_lo))};
 }
 
-SF_WIDE static void judge(ptrdiff_t n, sf_lane_cells *cells)
-{
+SF_WIDE static void judge(ptrdiff_t n, sf_lane_cells *cells) {
     SF_EACH(i, n) {
         const double a = cells->low[0][i], h_a = cells->low[1][i], h1_a = cells->low[2][i], h2_a = cells->low[3][i];
         const double b = cells->high[0][i], h_b = cells->high[1][i], h1_b = cells->high[2][i], h2_b = cells->high[3][i];
@@ -95,8 +92,7 @@ SF_WIDE static void judge(ptrdiff_t n, sf_lane_cells *cells)
 }
 
 /* F at its minimum over Omega, and Omega there */
-SF_WIDE static void approach(ptrdiff_t n, sf_lane_zeros *zeros)
-{
+SF_WIDE static void approach(ptrdiff_t n, sf_lane_zeros *zeros) {
     SF_EACH(i, n) {
         const double A = zeros->at[0][i], h = zeros->at[1][i], h_A = zeros->at[2][i], h_AA = zeros->at[3][i];
         const double zeta = zeros->task[1][i], m = zeros->task[2][i], F_0 = zeros->task[3][i];

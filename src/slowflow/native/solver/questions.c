@@ -2,8 +2,8 @@
  *
  * About one oscillator: takes a model (records.c) and what the row takes; returns a tuple of the answer's items, or the
  * only one; the words are slowflow's. The solvers run without the GIL, in a workspace of their own.
- * About many: takes a record; returns its generalised ufunc, which is kept. A ufunc's loop is the same for all records and
- * its data is the record.
+ * About many: takes a record; returns its generalised ufunc, which is kept. A ufunc's loop is the same for all records
+ * and its data is the record.
  */
 #define PY_SSIZE_T_CLEAN
 #include <Python.h>
@@ -25,8 +25,7 @@ typedef struct {
     PyThreadState *thread;
 } running;
 
-static int goes_on(sf_query *q)
-{
+static int goes_on(sf_query *q) {
     running *self = (running *)q;
     PyEval_RestoreThread(self->thread);
     const int is_quiet = PyErr_CheckSignals() == 0;
@@ -35,21 +34,22 @@ static int goes_on(sf_query *q)
 }
 
 /* The values of a column, each made of what is there, into those of an array. */
-#define COPIED(type, what, value)                                                                 \
-    for (npy_intp i = 0; i < of->n; i++) {                                                        \
-        const what from = *(const what *)(const void *)((const char *)of->first + i * of->step);  \
-        ((type *)to)[i] = value;                                                                  \
-    }                                                                                             \
+#define COPIED(type, what, value)                                                                                      \
+    for (npy_intp i = 0; i < of->n; i++) {                                                                             \
+        const what from = *(const what *)(const void *)((const char *)of->first + i * of->step);                       \
+        ((type *)to)[i] = value;                                                                                       \
+    }                                                                                                                  \
     break
 
 /* A new array; all kinds of flags become bool, all integers int64. */
-static PyObject *column(const sf_item *of)
-{
+static PyObject *column(const sf_item *of) {
     const int is_flag = of->kind == SF_FLAGS || of->kind == SF_BYTE_FLAGS || of->kind == SF_POSITIVE;
     const int is_integer = of->kind == SF_INTEGERS || of->kind == SF_LONG_INTEGERS;
     npy_intp shape[2] = {of->n, 2};
     PyObject *array = PyArray_SimpleNew(of->kind == SF_INTERVALS ? 2 : 1, shape,
-                                        is_flag ? NPY_BOOL : is_integer ? NPY_INT64 : NPY_DOUBLE);
+                                        is_flag      ? NPY_BOOL
+                                        : is_integer ? NPY_INT64
+                                                     : NPY_DOUBLE);
     if (array == NULL)
         return NULL;
     void *to = PyArray_DATA((PyArrayObject *)array);
@@ -72,8 +72,7 @@ static PyObject *column(const sf_item *of)
     return array;
 }
 
-static PyObject *value_of(const sf_item *of)
-{
+static PyObject *value_of(const sf_item *of) {
     switch (of->kind) {
     case SF_INTEGER:
         return PyLong_FromLong((long)of->value);
@@ -88,8 +87,7 @@ static PyObject *value_of(const sf_item *of)
     }
 }
 
-static PyObject *items_of(const sf_query *q)
-{
+static PyObject *items_of(const sf_query *q) {
     if (q->items == 0)
         return PyErr_Occurred() ? NULL : PyErr_NoMemory();
     if (q->items == 1)
@@ -104,8 +102,7 @@ static PyObject *items_of(const sf_query *q)
 }
 
 /* What a row takes, into a query; `list` holds its values. 0 with an exception set. */
-static int read_query(const sf_row *row, PyObject *args, sf_query *q, PyArrayObject **list)
-{
+static int read_query(const sf_row *row, PyObject *args, sf_query *q, PyArrayObject **list) {
     const int n = 1 + row->numbers + row->takes_list;
     if (PyTuple_Size(args) != n) {
         PyErr_Format(PyExc_TypeError, "%s takes %d arguments, not %zd", row->name, n, PyTuple_Size(args));
@@ -126,8 +123,7 @@ static int read_query(const sf_row *row, PyObject *args, sf_query *q, PyArrayObj
     return 1;
 }
 
-static PyObject *answer(const sf_row *row, running *self)
-{
+static PyObject *answer(const sf_row *row, running *self) {
     sf_query *q = &self->query;
     if (row->of_given && q->inputs == NULL)
         return Py_NewRef(Py_None);
@@ -143,8 +139,7 @@ static PyObject *answer(const sf_row *row, running *self)
     return result;
 }
 
-static PyObject *ask(PyObject *of_row, PyObject *args)
-{
+static PyObject *ask(PyObject *of_row, PyObject *args) {
     const sf_row *row = PyCapsule_GetPointer(of_row, NULL);
     running self;
     PyArrayObject *list = NULL;
@@ -168,8 +163,7 @@ typedef struct {
 } kept;
 
 /* A solver tries values that it then discards: the flags that these raise are no fault of the arguments. */
-static void quietly(char **operands, const npy_intp *dimensions, const npy_intp *steps, void *data)
-{
+static void quietly(char **operands, const npy_intp *dimensions, const npy_intp *steps, void *data) {
     const kept *own = data;
     fenv_t before;
     feholdexcept(&before);
@@ -177,9 +171,8 @@ static void quietly(char **operands, const npy_intp *dimensions, const npy_intp 
     fesetenv(&before);
 }
 
-PyObject *sf_new_ufunc(const char *name, const char *doc, const char *signature, const char *types, sf_gufunc_loop *loop,
-                       void *data)
-{
+PyObject *sf_new_ufunc(const char *name, const char *doc, const char *signature, const char *types,
+                       sf_gufunc_loop *loop, void *data) {
     const int operands = (int)strlen(types);
     int inputs = 0;
     kept *own = malloc(sizeof *own);
@@ -200,16 +193,14 @@ PyObject *sf_new_ufunc(const char *name, const char *doc, const char *signature,
     return ufunc;
 }
 
-static void run_batch(char **args, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data)
-{
+static void run_batch(char **args, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data) {
     sf_call call = *(const sf_call *)data;
     call.args = args, call.dimensions = dimensions, call.steps = steps;
     call.inner = steps + call.out + strlen(call.row->types);
     call.row->loop(&call);
 }
 
-static PyObject *new_batch(const sf_mechanism *record, const void *of_row)
-{
+static PyObject *new_batch(const sf_mechanism *record, const void *of_row) {
     const sf_batch *row = of_row;
     const int inputs = record->design_size + record->damping_size + row->at;
     sf_call *call = malloc(sizeof *call);
@@ -226,8 +217,7 @@ static PyObject *new_batch(const sf_mechanism *record, const void *of_row)
     return ufunc;
 }
 
-int sf_add_questions(PyObject *module)
-{
+int sf_add_questions(PyObject *module) {
     const sf_solvers *here = sf_here();
     if (PyArray_ImportNumPyAPI() < 0 || PyUFunc_ImportUFuncAPI() < 0)
         return -1;

@@ -16,8 +16,7 @@
 #define SF_RECORD "slowflow.core.mechanism"
 #define SF_MODEL "slowflow.core.model"
 
-const sf_solvers *sf_here(void)
-{
+const sf_solvers *sf_here(void) {
 #if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__)
     if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi") &&
         __builtin_cpu_supports("bmi2"))
@@ -30,8 +29,7 @@ const sf_solvers *sf_here(void)
 #endif
 }
 
-const sf_mechanism *sf_record_in(PyObject *capsule)
-{
+const sf_mechanism *sf_record_in(PyObject *capsule) {
     const sf_mechanism *record = PyCapsule_GetPointer(capsule, SF_RECORD);
     if (record == NULL)
         return NULL;
@@ -44,8 +42,8 @@ const sf_mechanism *sf_record_in(PyObject *capsule)
 }
 
 /* A function's definition, for as long as the process lives. */
-int sf_add_function(PyObject *module, const char *name, const char *doc, PyCFunction call, int flags, const void *data)
-{
+int sf_add_function(PyObject *module, const char *name, const char *doc, PyCFunction call, int flags,
+                    const void *data) {
     PyMethodDef *own = malloc(sizeof *own);
     PyObject *capsule = own == NULL ? PyErr_NoMemory() : PyCapsule_New((void *)data, NULL, NULL);
     if (capsule == NULL)
@@ -64,8 +62,7 @@ typedef struct {
     PyObject *cache; /* by the record's address */
 } maker;
 
-static PyObject *made_once(PyObject *self, PyObject *capsule)
-{
+static PyObject *made_once(PyObject *self, PyObject *capsule) {
     const maker *of = PyCapsule_GetPointer(self, NULL);
     const sf_mechanism *record = sf_record_in(capsule);
     PyObject *address = record == NULL ? NULL : PyLong_FromVoidPtr((void *)record);
@@ -83,8 +80,7 @@ static PyObject *made_once(PyObject *self, PyObject *capsule)
 }
 
 int sf_add_maker(PyObject *module, const char *name, const char *doc,
-                 PyObject *(*make)(const sf_mechanism *, const void *), const void *how)
-{
+                 PyObject *(*make)(const sf_mechanism *, const void *), const void *how) {
     maker *own = malloc(sizeof *own);
     PyObject *cache = own == NULL ? PyErr_NoMemory() : PyDict_New();
     if (cache == NULL)
@@ -101,8 +97,7 @@ typedef struct {
 static const variant excited_by_inertia = {sf_excite_by_inertia}, damped_by_laws = {sf_add_laws};
 
 /* A record is never let go, as batches keep its address. */
-static PyObject *new_variant(const sf_mechanism *record, const void *how)
-{
+static PyObject *new_variant(const sf_mechanism *record, const void *how) {
     sf_mechanism *made = malloc(sizeof *made);
     if (made == NULL)
         return PyErr_NoMemory();
@@ -114,21 +109,18 @@ static PyObject *new_variant(const sf_mechanism *record, const void *how)
     return found;
 }
 
-static void free_samples(PyObject *capsule)
-{
+static void free_samples(PyObject *capsule) {
     sf_here()->records->free_samples(PyCapsule_GetPointer(capsule, SF_RECORD));
 }
 
-static void surround(sf_mechanism *made, int inertial, int with_laws)
-{
+static void surround(sf_mechanism *made, int inertial, int with_laws) {
     if (inertial)
         sf_excite_by_inertia(made);
     if (with_laws)
         sf_add_laws(made);
 }
 
-static PyObject *read_record(PyObject *self, PyObject *args)
-{
+static PyObject *read_record(PyObject *self, PyObject *args) {
     sf_mechanism *made;
     const char *name, *code, *numbers;
     Py_ssize_t count, length;
@@ -148,27 +140,25 @@ static PyObject *read_record(PyObject *self, PyObject *args)
     case SF_NO_MEMORY:
         return PyErr_NoMemory();
     default:
-        return PyErr_Format(PyExc_ValueError, "%s: its words and numbers are no %s", name, sampled ? "polynomials" : "program");
+        return PyErr_Format(PyExc_ValueError, "%s: its words and numbers are no %s", name,
+                            sampled ? "polynomials" : "program");
     }
 }
 
 /* A function at an address, as what a record has in its place. */
-#define SF_AT(record, name, address) memcpy(&(record)->name, &(address), sizeof (record)->name)
+#define SF_AT(record, name, address) memcpy(&(record)->name, &(address), sizeof(record)->name)
 
-static int has_no_parameters_of(const sf_mechanism *self, const double *design, double *p)
-{
+static int has_no_parameters_of(const sf_mechanism *self, const double *design, double *p) {
     (void)self, (void)design, (void)p;
     return 0;
 }
 
-static void free_called(PyObject *capsule)
-{
+static void free_called(PyObject *capsule) {
     free(PyCapsule_GetPointer(capsule, SF_RECORD));
     Py_XDECREF(PyCapsule_GetContext(capsule));
 }
 
-static PyObject *called(PyObject *self, PyObject *args)
-{
+static PyObject *called(PyObject *self, PyObject *args) {
     PyObject *keep, *enclosed;
     const char *name;
     Py_ssize_t at[7];
@@ -211,8 +201,7 @@ typedef struct {
     PyObject *record;
 } oscillator;
 
-const sf_model *sf_model_in(PyObject *capsule, const sf_inputs **inputs)
-{
+const sf_model *sf_model_in(PyObject *capsule, const sf_inputs **inputs) {
     const oscillator *made = PyCapsule_GetPointer(capsule, SF_MODEL);
     if (made == NULL)
         return NULL;
@@ -220,15 +209,13 @@ const sf_model *sf_model_in(PyObject *capsule, const sf_inputs **inputs)
     return &made->model;
 }
 
-static void free_model(PyObject *capsule)
-{
+static void free_model(PyObject *capsule) {
     oscillator *made = PyCapsule_GetPointer(capsule, SF_MODEL);
     Py_DECREF(made->record);
     free(made);
 }
 
-int sf_read_numbers(PyObject *tuple, int n, const char *name, const char *what, double *values)
-{
+int sf_read_numbers(PyObject *tuple, int n, const char *name, const char *what, double *values) {
     if (PyTuple_Size(tuple) != n) {
         PyErr_Format(PyExc_ValueError, "%s takes %d %s, not %zd", name, n, what, PyTuple_Size(tuple));
         return -1;
@@ -238,8 +225,7 @@ int sf_read_numbers(PyObject *tuple, int n, const char *name, const char *what, 
     return PyErr_Occurred() ? -1 : 0;
 }
 
-static PyObject *tuple_of(const double *values, int n)
-{
+static PyObject *tuple_of(const double *values, int n) {
     PyObject *tuple = PyTuple_New(n);
     for (int i = 0; tuple != NULL && i < n; i++) {
         PyObject *value = PyFloat_FromDouble(values[i]);
@@ -249,8 +235,7 @@ static PyObject *tuple_of(const double *values, int n)
     return tuple;
 }
 
-static PyObject *parameters_of(PyObject *self, PyObject *args)
-{
+static PyObject *parameters_of(PyObject *self, PyObject *args) {
     PyObject *capsule, *of_design;
     double design[SF_MOST_DESIGN], p[SF_MOST_PARAMETERS];
     (void)self;
@@ -266,8 +251,7 @@ static PyObject *parameters_of(PyObject *self, PyObject *args)
     return NULL;
 }
 
-static PyObject *new_model(PyObject *self, PyObject *args)
-{
+static PyObject *new_model(PyObject *self, PyObject *args) {
     PyObject *capsule, *parameters, *of_damping, *of_design = NULL;
     double damping[SF_MOST_DAMPING], design[SF_MOST_DESIGN];
     (void)self;
@@ -307,8 +291,7 @@ static PyObject *new_model(PyObject *self, PyObject *args)
 
 /* (record, parameters, A, out): of so many outputs 4 are h and its derivatives, 8 those of the harmonics, 1
  * h - A h_A, and 3 for each parameter what it does to h, h_A and h_AA where they are sums. */
-static PyObject *averages(PyObject *self, PyObject *args)
-{
+static PyObject *averages(PyObject *self, PyObject *args) {
     PyObject *capsule, *parameters;
     Py_buffer A, out;
     double p[SF_MOST_PARAMETERS];
@@ -341,8 +324,7 @@ static PyObject *averages(PyObject *self, PyObject *args)
     return PyErr_Occurred() ? NULL : Py_NewRef(Py_None);
 }
 
-static PyObject *prepared(PyObject *self, PyObject *capsule)
-{
+static PyObject *prepared(PyObject *self, PyObject *capsule) {
     const sf_inputs *inputs;
     const sf_model *model = sf_model_in(capsule, &inputs);
     (void)self;
@@ -365,24 +347,25 @@ static PyMethodDef functions[] = {
     {"parameters_of", parameters_of, METH_VARARGS,
      "(record, design) -> parameters; ValueError where the design is outside its domain"},
     {"model", new_model, METH_VARARGS,
-     "(record, parameters, damping, design) -> an oscillator, prepared for the questions about one; what is proved of it "
+     "(record, parameters, damping, design) -> an oscillator, prepared for the questions about one; what is proved of "
+     "it "
      "is proved of the design, () where that is not known"},
     {NULL, NULL, 0, NULL},
 };
 
-int sf_add_records(PyObject *module)
-{
+int sf_add_records(PyObject *module) {
     const sf_records *shipped = sf_here()->records;
     PyObject *records = PyDict_New();
     PyObject *most = Py_BuildValue("iii", SF_MOST_DESIGN, SF_MOST_PARAMETERS, SF_MOST_BREAKS);
-    int failed = records == NULL || most == NULL || PyModule_AddObjectRef(module, "MOST", most) < 0 ||
-                 PyModule_AddFunctions(module, functions) < 0 || PyModule_AddObjectRef(module, "RECORDS", records) < 0 ||
-                 sf_add_maker(module, "inertial", "record -> the same mechanism excited by inertia, F_0 Omega^2; zeta > 0",
-                              new_variant, &excited_by_inertia) < 0 ||
-                 sf_add_maker(module, "with_laws",
-                              "record -> the same mechanism with damping by any law: mu, zeta, eta, c_2, and whether "
-                              "friction ends at the first breakpoint",
-                              new_variant, &damped_by_laws) < 0;
+    int failed =
+        records == NULL || most == NULL || PyModule_AddObjectRef(module, "MOST", most) < 0 ||
+        PyModule_AddFunctions(module, functions) < 0 || PyModule_AddObjectRef(module, "RECORDS", records) < 0 ||
+        sf_add_maker(module, "inertial", "record -> the same mechanism excited by inertia, F_0 Omega^2; zeta > 0",
+                     new_variant, &excited_by_inertia) < 0 ||
+        sf_add_maker(module, "with_laws",
+                     "record -> the same mechanism with damping by any law: mu, zeta, eta, c_2, and whether "
+                     "friction ends at the first breakpoint",
+                     new_variant, &damped_by_laws) < 0;
     for (int i = 0; i < shipped->count && !failed; i++) {
         PyObject *capsule = PyCapsule_New((void *)shipped->all[i], SF_RECORD, NULL);
         failed = capsule == NULL || PyDict_SetItemString(records, shipped->all[i]->name, capsule) < 0;

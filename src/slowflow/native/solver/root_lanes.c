@@ -10,8 +10,7 @@
 enum { HALLEY = 2 };
 
 /* sf_critical_points and what sf_isolate does with them */
-SF_WIDE static void isolate(ptrdiff_t n, sf_quartics *block)
-{
+SF_WIDE static void isolate(ptrdiff_t n, sf_quartics *block) {
     SF_EACH(i, n) {
         const double A = block->A[i], h = block->h[i], m = block->m[i], zeta = block->zeta[i], F_0 = block->F_0[i];
         double derivative[5], at_0[2], at_1[2], at_2[2];
@@ -36,8 +35,7 @@ SF_WIDE static void isolate(ptrdiff_t n, sf_quartics *block)
 }
 
 /* The starts of sf_root_below, sf_root_between, sf_root_above and sf_root_of_rising, places 0 to 3, and sf_refine. */
-SF_WIDE static void refine(ptrdiff_t n, sf_jobs *jobs)
-{
+SF_WIDE static void refine(ptrdiff_t n, sf_jobs *jobs) {
     SF_EACH(i, n) {
         const double A = jobs->A[i], h = jobs->h[i], m = jobs->m[i], zeta = jobs->zeta[i], F_0 = jobs->F_0[i];
         const double p = jobs->p[i], q = jobs->q[i], w1 = jobs->w1[i], w2 = jobs->w2[i], place = jobs->place[i];
@@ -72,14 +70,12 @@ SF_WIDE static void refine(ptrdiff_t n, sf_jobs *jobs)
     }
 }
 
-void sf_isolate_lanes(ptrdiff_t n, sf_quartics *block)
-{
+void sf_isolate_lanes(ptrdiff_t n, sf_quartics *block) {
     sf_fill(block->A, n), sf_fill(block->h, n), sf_fill(block->m, n), sf_fill(block->zeta, n), sf_fill(block->F_0, n);
     isolate(sf_filled(n), block);
 }
 
-void sf_refine_lanes(sf_jobs *jobs)
-{
+void sf_refine_lanes(sf_jobs *jobs) {
     const ptrdiff_t n = jobs->n; /* none are filled, if there are no jobs */
     sf_fill(jobs->A, n), sf_fill(jobs->h, n), sf_fill(jobs->m, n), sf_fill(jobs->zeta, n), sf_fill(jobs->F_0, n);
     sf_fill(jobs->p, n), sf_fill(jobs->q, n), sf_fill(jobs->w1, n), sf_fill(jobs->w2, n);

@@ -12,22 +12,20 @@
 
 /* Roots and their number for element i; unused places are NaN. A solver tries values that it then discards: the flags
    that these raise are no fault of the arguments, whose faults the number -1 tells. */
-#define ROOTS_LOOP(name, inputs, most, solve)                                                               \
-    SF_FMA void name(char **operands, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data)        \
-    {                                                                                                         \
-        (void)data;                                                                                           \
-        for (ptrdiff_t i = 0; i < dimensions[0]; i++) {                                                       \
-            double Omega[most];                                                                             \
-            const int32_t count = solve;                                                                      \
-            for (int j = 0; j < most; j++)                                                                  \
-                *(double *)(operands[inputs] + i * steps[inputs] + j * steps[(inputs) + 2]) = Omega[j];       \
-            *(int32_t *)(operands[(inputs) + 1] + i * steps[(inputs) + 1]) = count;                           \
-        }                                                                                                     \
+#define ROOTS_LOOP(name, inputs, most, solve)                                                                          \
+    SF_FMA void name(char **operands, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data) {               \
+        (void)data;                                                                                                    \
+        for (ptrdiff_t i = 0; i < dimensions[0]; i++) {                                                                \
+            double Omega[most];                                                                                        \
+            const int32_t count = solve;                                                                               \
+            for (int j = 0; j < most; j++)                                                                             \
+                *(double *)(operands[inputs] + i * steps[inputs] + j * steps[(inputs) + 2]) = Omega[j];                \
+            *(int32_t *)(operands[(inputs) + 1] + i * steps[(inputs) + 1]) = count;                                    \
+        }                                                                                                              \
     }
 
 /* The roots of the first n quartics of a block, three places for each, and their numbers. */
-SF_FMA static void roots_of_block(ptrdiff_t n, sf_quartics *block, sf_jobs *jobs, double Omega[][3], int32_t *count)
-{
+SF_FMA static void roots_of_block(ptrdiff_t n, sf_quartics *block, sf_jobs *jobs, double Omega[][3], int32_t *count) {
     jobs->n = 0;
     sf_isolate_lanes(n, block);
     for (int i = 0; i < n; i++) {
@@ -50,8 +48,7 @@ SF_FMA static void roots_of_block(ptrdiff_t n, sf_quartics *block, sf_jobs *jobs
                 sf_response_roots(block->A[i], block->h[i], block->m[i], block->zeta[i], block->F_0[i], Omega[i]);
 }
 
-void sf_response_roots_loop(char **operands, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data)
-{
+void sf_response_roots_loop(char **operands, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data) {
     sf_quartics block;
     sf_jobs jobs;
     (void)data;
@@ -78,21 +75,20 @@ ROOTS_LOOP(sf_peak_roots_loop, 4, 2, sf_peak_roots(IN(0), IN(1), IN(2), IN(3), O
 
 /* Roots by other laws of damping of element i, places behind the last NaN. Operands are A, h and maybe h_A, from `k` on
    m, zeta, eta and d, and last whether inertia excites. */
-#define LAW_ROOTS_LOOP(name, k, inputs, most, solve)                                                        \
-    void name(char **operands, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data)               \
-    {                                                                                                         \
-        (void)data;                                                                                           \
-        for (ptrdiff_t i = 0; i < dimensions[0]; i++) {                                                       \
-            const sf_sample at = {.A = IN(0), .h = IN(1), .h_A = (k) > 2 ? IN(2) : 0};                        \
-            const sf_mechanism record = {.inertial = IN((inputs) - 1) != 0};                                  \
-            sf_model model = {.mechanism = &record};                                                          \
-            double Omega[most];                                                                             \
-            model.m = IN(k), model.zeta = IN((k) + 1), model.eta = IN((k) + 2), model.d = IN((k) + 3);        \
-            const int n = solve;                                                                              \
-            char *to = operands[inputs] + i * steps[inputs];                                                  \
-            for (int j = 0; j < most; j++, to += steps[(inputs) + 1])                                       \
-                *(double *)to = j < n ? Omega[j] : NAN;                                                       \
-        }                                                                                                     \
+#define LAW_ROOTS_LOOP(name, k, inputs, most, solve)                                                                   \
+    void name(char **operands, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data) {                      \
+        (void)data;                                                                                                    \
+        for (ptrdiff_t i = 0; i < dimensions[0]; i++) {                                                                \
+            const sf_sample at = {.A = IN(0), .h = IN(1), .h_A = (k) > 2 ? IN(2) : 0};                                 \
+            const sf_mechanism record = {.inertial = IN((inputs) - 1) != 0};                                           \
+            sf_model model = {.mechanism = &record};                                                                   \
+            double Omega[most];                                                                                        \
+            model.m = IN(k), model.zeta = IN((k) + 1), model.eta = IN((k) + 2), model.d = IN((k) + 3);                 \
+            const int n = solve;                                                                                       \
+            char *to = operands[inputs] + i * steps[inputs];                                                           \
+            for (int j = 0; j < most; j++, to += steps[(inputs) + 1])                                                  \
+                *(double *)to = j < n ? Omega[j] : NAN;                                                                \
+        }                                                                                                              \
     }
 
 LAW_ROOTS_LOOP(sf_law_roots_loop, 3, 9, 3,

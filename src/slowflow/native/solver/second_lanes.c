@@ -6,14 +6,14 @@
 #include "second_conventions.h"
 
 /* phases: known when it is compiled */
-SF_ALWAYS void balances(ptrdiff_t n, const double *Omega, const double *A, double F_0, int inertial, int phases, double m,
-                        double zeta, const double *known, double *out)
-{
+SF_ALWAYS void balances(ptrdiff_t n, const double *Omega, const double *A, double F_0, int inertial, int phases,
+                        double m, double zeta, const double *known, double *out) {
     SF_EACH(i, n) {
         const double *const k = known + i;
         double values[SF_BALANCE];
-        second_approximation_response(Omega[i], A[i], inertial ? inertia_force(Omega[i], F_0) : F_0, m, zeta, k[0], k[n],
-                                      k[2 * n], k[4 * n], k[5 * n], k[6 * n], k[8 * n], k[9 * n], k[10 * n], values);
+        second_approximation_response(Omega[i], A[i], inertial ? inertia_force(Omega[i], F_0) : F_0, m, zeta, k[0],
+                                      k[n], k[2 * n], k[4 * n], k[5 * n], k[6 * n], k[8 * n], k[9 * n], k[10 * n],
+                                      values);
         values[6] -= inertial ? sf_force_squared_slope(Omega[i], F_0) : 0;
         for (int row = 0; row < SF_BALANCE; row++)
             out[row * n + i] = row == 2 && !phases ? NAN : values[row];
@@ -21,22 +21,17 @@ SF_ALWAYS void balances(ptrdiff_t n, const double *Omega, const double *A, doubl
 }
 
 SF_WIDE void sf_second_balances(ptrdiff_t n, const double *Omega, const double *A, double F_0, int inertial, int phases,
-                                double m, double zeta, const double *known, double *out)
-{
+                                double m, double zeta, const double *known, double *out) {
     if (phases)
         balances(n, Omega, A, F_0, inertial, 1, m, zeta, known, out);
     else
         balances(n, Omega, A, F_0, inertial, 0, m, zeta, known, out);
 }
 
-static inline double larger(double a, double b)
-{
-    return a > b ? a : b;
-}
+static inline double larger(double a, double b) { return a > b ? a : b; }
 
 SF_WIDE void sf_second_matches(ptrdiff_t n, const double *Omega, const double *R, const double *way, double F_0,
-                               const double *balances, double *out)
-{
+                               const double *balances, double *out) {
     const double *restrict at_R = balances + 3 * n, *restrict R_Omega = balances + 8 * n;
     double *restrict steps = out, *restrict growth = out + n;
     SF_EACH(i, n) {
@@ -48,8 +43,7 @@ SF_WIDE void sf_second_matches(ptrdiff_t n, const double *Omega, const double *R
 }
 
 SF_WIDE void sf_second_newton(ptrdiff_t n, const double *Omega, const double *A, double F_0, const double *balances,
-                              double *out)
-{
+                              double *out) {
     const double *restrict R = balances + 3 * n, *restrict at_F = balances + 4 * n, *restrict F_A = balances + 5 * n;
     const double *restrict F_Omega = balances + 6 * n, *restrict R_A = balances + 7 * n;
     const double *restrict R_Omega = balances + 8 * n;

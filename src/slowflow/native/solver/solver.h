@@ -36,8 +36,8 @@ int sf_add_function(struct _object *module, const char *name, const char *doc,
 int sf_add_maker(struct _object *module, const char *name, const char *doc,
                  struct _object *(*make)(const sf_mechanism *record, const void *how), const void *how);
 
-/* Members of a module: records and models, questions about one oscillator and about many, the search in boxes, operations
- * on intervals; -1 with an exception set. */
+/* Members of a module: records and models, questions about one oscillator and about many, the search in boxes,
+ * operations on intervals; -1 with an exception set. */
 int sf_add_records(struct _object *module);
 int sf_add_questions(struct _object *module);
 int sf_add_boxes(struct _object *module);

@@ -6,8 +6,7 @@
 #include "clones.h"
 #include "slow_flow.h"
 
-SF_WIDE static void judge(ptrdiff_t n, sf_lane_cells *cells)
-{
+SF_WIDE static void judge(ptrdiff_t n, sf_lane_cells *cells) {
     SF_EACH(i, n) {
         const double a = cells->low[0][i], h_a = cells->low[1][i], h1_a = cells->low[2][i], h2_a = cells->low[3][i];
         const double b = cells->high[0][i], h_b = cells->high[1][i], h1_b = cells->high[2][i], h2_b = cells->high[3][i];
@@ -99,8 +98,7 @@ SF_WIDE static void judge(ptrdiff_t n, sf_lane_cells *cells)
     }
 }
 
-SF_WIDE static void approach(ptrdiff_t n, sf_lane_zeros *zeros)
-{
+SF_WIDE static void approach(ptrdiff_t n, sf_lane_zeros *zeros) {
     SF_EACH(i, n) {
         const double A = zeros->at[0][i], h = zeros->at[1][i], h_A = zeros->at[2][i], h_AA = zeros->at[3][i];
         const double Omega = zeros->task[0][i], zeta = zeros->task[1][i], m = zeros->task[2][i],
