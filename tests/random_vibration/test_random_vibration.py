@@ -394,6 +394,15 @@ def test_growing_damping_of_two_wells_is_a_root_of_a_cubic():
     assert found.u_rms[:, 0] == pytest.approx(np.sqrt(roots), rel=1e-10)
 
 
+@pytest.mark.parametrize("zeta_2", (0.6, 4.0, 30.0))
+def test_growing_damping_under_a_table_has_all_digits(zeta_2):
+    """u_rms^2 is I_0 at the stiffness and damping that it has: slopes by u in the last step of Newton's method."""
+    for one in (Isolator(**DESIGN, zeta=0.005, zeta_2=zeta_2), Duffing(1.0, 0.5, mu=0.003, zeta=0.005, zeta_2=zeta_2)):
+        found = one.random(psd=spread(3e-3))
+        for u_rms, k, c in zip(found.u_rms, found.stiffness, found.damping, strict=True):
+            assert u_rms**2 == pytest.approx(moment(spread(3e-3), k, c, 0), rel=1e-12)
+
+
 def test_growing_damping_of_a_linear_spring_is_closed():
     """sigma_u and sigma_v are one: (2 zeta + (2 zeta_2 + 3 c_3) sigma^2) sigma^2 = pi S_0."""
     zeta, c_3, zeta_2, S_0 = 0.03, np.array([0.2, 0.0, 0.5]), np.array([0.0, 0.4, 0.3]), 0.02
