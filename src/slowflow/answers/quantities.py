@@ -487,15 +487,15 @@ class Scales:
             found[name] = word, scale._replace(factor=scale.factor / count)
         return found
 
-    def of(self, scale: Scale) -> float:
+    def of(self, scale: Scale) -> Any:
         """Return the size of a scale."""
-        return float(size(scale, m=self.m, k_v=self.k_v, L=self.L))
+        return size(scale, m=self.m, k_v=self.k_v, L=self.L)
 
     def over(self, name: str, value: Any, domain: Parameter, scale: Scale) -> float:
         """Make a number of a mount dimensionless. Raises ValueError, in the mount's terms, outside the domain."""
         size = self.of(scale)
         allowed = {bound: limit * size for bound, limit in domain.bounds.items()}
-        return validate.number(name, value, **allowed) / size
+        return float(validate.number(name, value, **allowed) / size)
 
     def quantities(self, answer: Answer) -> Quantities:
         """Convert a dimensionless answer, and the answers in it, to SI units."""
@@ -606,9 +606,6 @@ class ManyScales(Scales):
             made = (np.isfinite(value) & (value > 0) for value in (*base.values(), *sizes(**base).values()))
             allowed = functools.reduce(np.logical_and, made)
         self.__dict__.update({name: np.where(allowed, value, np.nan) for name, value in base.items()})
-
-    def of(self, scale: Scale) -> Any:
-        return size(scale, m=self.m, k_v=self.k_v, L=self.L)
 
     def over(self, name: str, value: Any, domain: Parameter, scale: Scale) -> Any:
         """Make the numbers of mounts dimensionless; those outside the domain are not refused."""

@@ -21,6 +21,7 @@ from slowflow.answers.sensitivities import NOT_AVERAGED, Design, of_isolation, o
 from slowflow.answers.table import AVERAGING, QUESTIONS, Columns, Question
 from slowflow.answers.transmissibility import in_motion
 from slowflow.averaged import diagnostics
+from slowflow.averaged.isolating import Level
 from slowflow.core import validate
 from slowflow.core.mechanism import Flags
 from slowflow.core.model import THROUGHOUT, Floats, SlowFlow
@@ -165,11 +166,6 @@ class Batch(Answer, OfDesigns):
     @property
     def _F_0(self) -> Any:
         return self.arguments.get("F_0", np.nan)
-
-    @property
-    def _ratio(self) -> Any:
-        """The transmissibility of the query."""
-        return 10.0 ** (np.asarray(self.arguments.get("level_dB", 0.0), dtype=float) / 20.0)
 
     @property
     def _forcing(self) -> Floats:
@@ -413,7 +409,8 @@ GRADIENTS: Mapping[str, Callable[[Batch, Design], Gradient]] = MappingProxyType(
         ),
         "peak": lambda one, of: of_points(of, "peak", one.Omega, one.A, np.asarray(one._F_0, dtype=float)),
         "isolation": lambda one, of: of_isolation(
-            of, one.Omega, one.A, np.asarray(one._F_0, dtype=float), one.at_fold == 1, one._ratio
+            *(of, one.Omega, one.A, np.asarray(one._F_0, dtype=float), one.at_fold == 1),
+            Level.of(one.arguments.get("level_dB", 0.0)).ratio,
         ),
     }
 )

@@ -367,8 +367,7 @@ class Designs(Unchanging, ManyQuestions[Batch, Reals]):
         return escapes
 
     def _certify(self, F_0: Any, *, Omega: Any, workers: int) -> Batch:
-        validate.is_force("certify", self.excitation)
-        validate.is_plain("certify", self.laws)
+        validate.has_proof(self.excitation, self.laws)
         columns = self.ask(PROVED_FOLDS if Omega is None else PROVED_STATES, workers, F_0, Omega=Omega)
         self._decide_in_balls(F_0, Omega, *columns)
         return self._batch("certify", columns, {}, F_0=F_0)

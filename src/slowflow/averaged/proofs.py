@@ -333,35 +333,29 @@ def _states(model: Model, bits: int, found: Any, F_0: float, _: float) -> Proved
 
 def _onset(model: Model, bits: int, found: Any) -> ProvedForcing:
     if found is None:
-        return _no_forcing(_why_not(model), bits)
-    status, F_SN, Omega, A, kind, proved = found
+        return _forcing(False, _why_not(model), bits)
+    status, *at, kind, proved = found
     if status != Status.OK:
         texts = {Status.UNBOUNDED: messages.OF_NO_LOWEST, Status.NONE: messages.OF_NO_ONSET}
-        return _no_forcing(texts.get(status, (messages.FAILED, messages.FAILED))[proved], bits, proved=proved)
+        return _forcing(proved, texts.get(status, (messages.FAILED, messages.FAILED))[proved], bits)
     doubt = "" if proved else _in_doubt(bits, messages.ONSET_IN_DOUBT)
-    return _forcing(proved, doubt, bits, F_SN, Omega, A, solvers.ONSET_KINDS[kind])
+    return _forcing(proved, doubt, bits, at, solvers.ONSET_KINDS[kind])
 
 
 def _detachment(model: Model, bits: int, found: Any) -> ProvedForcing:
     if found is None:
-        return _no_forcing(_why_not(model), bits)
-    status, F_cr, Omega_cr, u_cr = found
+        return _forcing(False, _why_not(model), bits)
+    status, *at = found
     if status == Status.NONE:
-        return _no_forcing(messages.NO_DETACHMENT, bits, proved=True)
-    if status != Status.OK:
-        return _no_forcing(messages.FAILED, bits)
-    return _forcing(True, "", bits, F_cr, Omega_cr, u_cr)
+        return _forcing(True, messages.NO_DETACHMENT, bits)
+    return _forcing(True, "", bits, at) if status == Status.OK else _forcing(False, messages.FAILED, bits)
 
 
-def _no_forcing(reason: str, bits: int, *, proved: bool = False) -> ProvedForcing:
-    return _forcing(proved, reason, bits, _NOTHING, _NOTHING, _NOTHING)
-
-
-def _forcing(
-    proved: bool, message: str, bits: int, F_0: Floats, Omega: Floats, A: Floats, kind: str = ""
-) -> ProvedForcing:
+def _forcing(proved: bool, message: str, bits: int, at: Any = (_NOTHING,) * 3, kind: str = "") -> ProvedForcing:
+    """A critical forcing, or that there is none; at: bounds of F_0, Omega and A."""
     from slowflow.answers.certificate import ProvedForcing
 
+    F_0, Omega, A = at
     return ProvedForcing(proved, message, bits, F_0, Omega, A, kind)
 
 

@@ -141,8 +141,7 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
 
     def _check_proof(self) -> None:
         """Raises ValueError where no proof of the averaged equations is derived."""
-        validate.is_force("certify", self.model.excitation)
-        validate.is_plain("certify", self.model.laws.description())
+        validate.has_proof(self.model.excitation, self.model.laws.description())
 
     def _check_envelope(self) -> None:
         """Raises ValueError where no envelope is derived."""

@@ -141,10 +141,11 @@ def workers(value: Any) -> int:
     return os.cpu_count() or 1 if value == -1 else count("workers", value, least=1)
 
 
-def is_force(question: str, excitation: str) -> None:
-    """NotAvailable where a question is asked of another excitation than a force, and has no answer to that."""
+def has_proof(excitation: str, laws: str) -> None:
+    """NotAvailable where no proof is derived: of another excitation than a force, and with other laws of damping."""
     if excitation != "force":
-        raise NotAvailable(f"{question} is not available with excitation = {excitation!r}, only with 'force'")
+        raise NotAvailable(f"certify is not available with excitation = {excitation!r}, only with 'force'")
+    is_plain("certify", laws)
 
 
 def is_in_time(question: str, laws: Iterable[str]) -> None:

@@ -12,7 +12,7 @@ import inspect
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, cast, overload
+from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
 
@@ -176,7 +176,8 @@ class Physical(TakesAmplitude):
             "heaviest": None if beyond is None else m + beyond,
         }
         units = {"f_n": "Hz", **found.units, "preset": "m", "lightest": "kg", "heaviest": "kg"}
-        return cast("answers.AtRest[checks.AtRest]", Quantities(values, units, found.answer))
+        mount: Any = Quantities(values, units, found.answer)
+        return mount
 
     def sag(self, load: Number) -> float:
         """Compute the equilibrium, in m from the centre, of a mass `load` in kg on a spring k_v preloaded for m (5)."""
@@ -357,10 +358,7 @@ class Physical(TakesAmplitude):
         message = joined("" if self.oscillator.load == 0 else LARGEST, found.message)
         series = dict(zip(("tau", "u", "v"), found.series(samples), strict=True))
         names = ("Omega", "A", "stops", "stable", "period")
-        return cast(
-            "answers.SteadyState[exact.SteadyState]",
-            one._named(found, (), *names, F_0=found.F_0, message=message, **series),
-        )
+        return one._named(found, (), *names, F_0=found.F_0, message=message, **series)
 
     def exact_response(
         self,
@@ -403,7 +401,7 @@ class Physical(TakesAmplitude):
         folds = {name: np.array([getattr(one, name) for one in found.folds], of) for name, of in columns.items()}
         curve = one._named(found, ("Omega", "A", "stable", "stops"), "F_0", "closed", "message", "complete")
         values = {**curve.values, "folds": self.scales.named(folds, found.folds, tuple(columns))}
-        return cast("answers.Response[exact.Response]", dataclasses.replace(curve, values=values))
+        return dataclasses.replace(curve, values=values)
 
     def sweep(
         self, *, f: Numbers, x_0: Number | None = None, v_0: Number = 0.0, **at: Unpack[At]
@@ -423,7 +421,7 @@ class Physical(TakesAmplitude):
         found = one._ask("sweep", f=f, F_0=F_0, x_0=x_0, v_0=v_0)
         jumps = np.array(found.jumps).reshape(-1, 2)
         entry = ("Omega", "A", "stops", "settled")
-        return cast("answers.AtOne[exact.Sweep]", one._named(found, entry, "F_0", "message", jumps=jumps))
+        return one._named(found, entry, "F_0", "message", jumps=jumps)
 
     def transient(
         self,
@@ -464,9 +462,7 @@ class Physical(TakesAmplitude):
         pulse = {"acceleration": acceleration, "duration": duration, "t": t, "after": after}
         found = self._ask("transient", **pulse, x_0=x_0, v_0=v_0)
         names = (field.name for field in dataclasses.fields(found) if field.repr)
-        return cast(
-            "answers.Transient[exact.Transient]", self._named(found, (), *names, **found.series(samples)._asdict())
-        )
+        return self._named(found, (), *names, **found.series(samples)._asdict())
 
     def shock_spectrum(self, *, acceleration: Numbers, duration: Numbers) -> answers.Rows[exact.ShockSpectrum]:
         """Compute the shock response spectrum of half sines of the base, one row for each.
@@ -504,9 +500,8 @@ class Physical(TakesAmplitude):
         excitation, table = density(self.scales, psd, unit)
         with self.scales.in_these_terms():
             found = self.oscillator.random(psd=table)
-        return cast(
-            "answers.Random[RandomResponse]", dataclasses.replace(self.scales, excitation=excitation).quantities(found)
-        )
+        scales: Any = dataclasses.replace(self.scales, excitation=excitation)
+        return scales.quantities(found)
 
     def margins(self, amplitude: Number | None = None, /, **at: Unpack[At]) -> answers.One[checks.Margins]:
         """Compare F in N (or Y, a, U) with F_SN and F_cr: .of_SN = F_SN/F and .of_cr = F_cr/F, < 1 if exceeded."""
@@ -633,7 +628,7 @@ class Physical(TakesAmplitude):
         one, F_0 = self._excited(amplitude, at)
         return one._answer(question, F_0=F_0, **arguments)
 
-    def _named(self, found: Any, entry: tuple[str, ...], *names: str, **more: Any) -> Quantities:
+    def _named(self, found: Any, entry: tuple[str, ...], *names: str, **more: Any) -> Any:
         """Numbers of an answer by name, those of an entry first, in SI units."""
         return self.scales.named({**{name: getattr(found, name) for name in (*entry, *names)}, **more}, found, entry)
 

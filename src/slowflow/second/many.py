@@ -98,11 +98,10 @@ class SecondDesigns(ManyQuestions[SecondBatch, Reals]):
     def _insert_states_at_rest(self, columns: list[npt.NDArray[Any]], F_0: Any, Omega: Any) -> None:
         """States at rest first, as of averaging, with the phase that these have."""
         A, A_1, phi, stable, count, _, status = columns
-        flags: Any = np.zeros(count.shape, np.int8)
-        at_rest = {"A": np.zeros((*count.shape, 1)), "stable": flags[..., np.newaxis]}
-        at_rest |= {"count": flags, "undecided": flags, "status": flags}
-        own = Batch("amplitudes", at_rest, self.first, {"F_0": F_0, "Omega": Omega})
-        pairs = ((A, 0.0), (A_1, 0.0), (phi, own.phi[..., 0]), (stable, 1))
+        with np.errstate(all="ignore"):  # a number outside its domain has a status
+            flow = self.first._flow
+            phase = flow.phase(np.asarray(Omega, dtype=float), 0.0, flow.averaged(0.0)[0])
+        pairs = ((A, 0.0), (A_1, 0.0), (phi, phase), (stable, 1))
         self.first._insert_states_at_rest(Omega, F_0, pairs, count, status)
 
 

@@ -18,6 +18,7 @@ from slowflow.answers.answer import joined
 from slowflow.answers.questions import Questions
 from slowflow.answers.results import Detachment, Peak, Remark, SaddleNodeOnset, SteadyStates
 from slowflow.averaged import diagnostics, messages, solvers
+from slowflow.averaged.composed import ComposedQuestions
 from slowflow.averaged.pairs import at_pairs, with_rests
 from slowflow.averaged.plan import Plan, Step
 from slowflow.core import validate
@@ -70,7 +71,7 @@ UNANSWERED = {
         ("backbone", "limit_envelope", "transmissibility_floor", "equivalent_damping", "stability"),
         "it is a formula of the slow flow alone; averaging has it",
     ),
-    **dict.fromkeys(("margins", "hysteresis", "isolation", "spectrum"), "it combines averaged answers"),
+    **dict.fromkeys((name for name in vars(ComposedQuestions) if name[0] != "_"), "it combines averaged answers"),
     **dict.fromkeys(
         ("at_rest", "steady_state", "exact_response", "sweep", "transient", "shock_spectrum", "random"),
         "it does not depend on the approximation: call it on the oscillator, or on the designs",

@@ -378,8 +378,11 @@ def ask(question: str, model: Model, bits: int, *numbers: float) -> Any:
         return _QUESTIONS[question](BallModel(model, averages), *numbers)
 
 
-def _at_forcing(balls: BallModel, F_0: float, find: Callable[[Systems, float], Points]) -> Any:
-    """Folds or states: status, Omega, A, corner, sign, what is in doubt, A_max, whether it bounds them, and is all."""
+def _at_forcing(balls: BallModel, F_0: float, *frequency: float) -> Any:
+    """Folds, or states at a frequency.
+
+    Status, Omega, A, corner, sign, what is in doubt, A_max, whether it bounds them, and is all.
+    """
     A_max, points, doubts = 0.0, list[Point](), list[Enclosure]()
     status, bounded = Status.STICKS, bool(F_0 <= balls.m.lo)
     if F_0 > balls.m.hi:
@@ -387,21 +390,14 @@ def _at_forcing(balls: BallModel, F_0: float, find: Callable[[Systems, float], P
             A_max = solvers.amplitude_bound(balls.model, F_0)
         except OverflowError:
             return None
-        points, doubts = find(Systems(balls, F_0), A_max)
+        systems = Systems(balls, F_0)
+        points, doubts = systems.states(Enclosure.of(*frequency), A_max) if frequency else systems.folds(A_max)
         status, bounded = Status.OK, balls.is_bounded(arb(F_0), A_max)
     # by rising frequency, of those that are the same double by rising amplitude, and of one of both the corner
     points.sort(key=lambda one: (float(one.Omega.middle), float(one.on.A.middle), not one.corner))
     columns = _pairs(one.Omega for one in points), _pairs(one.on.A for one in points)
     corner, sign = np.array([one.corner for one in points], bool), np.array([one.sign for one in points], int)
     return status, *columns, corner, sign, _pairs(doubts), A_max, bounded, True
-
-
-def _folds(balls: BallModel, F_0: float) -> Any:
-    return _at_forcing(balls, F_0, Systems.folds)
-
-
-def _states(balls: BallModel, F_0: float, Omega: float) -> Any:
-    return _at_forcing(balls, F_0, lambda systems, A_max: systems.states(Enclosure.of(Omega), A_max))
 
 
 def _onset(balls: BallModel) -> Any:
@@ -477,8 +473,8 @@ class ProvedCusps(Proved):
 
 
 _QUESTIONS: dict[str, Callable[..., Any]] = {
-    "certify_folds": _folds,
-    "certify_states": _states,
+    "certify_folds": _at_forcing,
+    "certify_states": _at_forcing,
     "certify_onset": _onset,
     "certify_detachment": _detachment,
     "certify_cusps": _cusps,
