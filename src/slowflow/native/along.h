@@ -50,9 +50,9 @@ typedef struct {
 } sf_terms;
 
 /* A question with what it needs. F_0: of SF_FOLD_AT, SF_PEAK, SF_REST, SF_STATE; Omega: of SF_STATE. most: of
- * SF_CUSP and SF_ISOLA, where only the lowest minimum of the level is wanted, a forcing above which others may be
+ * SF_CUSP and SF_ISOLA, where only the lowest minimum of the level is required, a forcing above which others may be
  * left out: each minimum found lowers it; NULL for all. first: where the piece begins that is searched. highest: of
- * SF_PEAK and SF_REST, whether only the highest zero that is a top (zeros.h) is wanted; pushes: whether the spring
+ * SF_PEAK and SF_REST, whether only the highest zero that is a top (zeros.h) is required; pushes: whether the spring
  * pushes off at rest */
 typedef struct {
     sf_question question;
@@ -97,7 +97,7 @@ static inline void sf_ask_stiffness(const sf_task *task, const sf_sample *at, sf
 }
 
 /* Omega where a fold at F_0 may be, from I or from R, y being what the two lack of agreeing: the one that rounding
- * moves less. I exceeds m by little if damping is weak, and |k| the least if Omega is low. */
+ * changes less. I exceeds m by little if damping is weak, and |k| the least if Omega is low. */
 static inline double sf_fold_Omega(const sf_task *task, const sf_sample *at, double Omega, double y) {
     const double lag = slow_flow_I(Omega, at->A, 0, task->model->zeta), square = slow_flow_fold_square(Omega, at->A, y);
     const double least = task->least / at->k;

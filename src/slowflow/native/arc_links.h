@@ -70,7 +70,7 @@ static int sf_contradicts(double F_0, const sf_graph *graph, int k) {
            graph->count[k] - graph->count[k - 1] != event->gain;
 }
 
-/* The number of roots in each interval; where one is too narrow to hold an amplitude, the event's gain tells. */
+/* The number of roots in each interval; where no amplitude lies inside, it follows from the event's gain. */
 static void sf_count_intervals(const sf_model *model, double F_0, sf_graph *graph) {
     for (int k = 0; k + 1 < graph->events; k++) {
         const double low = graph->event[k].A, high = graph->event[k + 1].A, middle = 0.5 * (low + high);
@@ -96,7 +96,7 @@ static void sf_end_all(const sf_model *model, double F_0, sf_graph *graph, const
         sf_end(graph, graph->first[interval] + i, end, at->A, sf_branch_at(model, at, F_0, graph->count[interval], i));
 }
 
-/* Which two of the roots meet at A, the lower pair or the upper, and where: as the event says, or, where it is none of
+/* Which two of the roots meet at A, the lower pair or the upper, and where: by the event, or, where it is none of
  * these but roots vanish all the same (a breakpoint that is an extremum to rounding), by the critical value next to
  * 0. */
 static int sf_lower_pair(const sf_model *model, double F_0, const sf_event *event, const sf_sample *at, double *Omega) {

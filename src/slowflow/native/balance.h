@@ -65,8 +65,7 @@ static sf_interval sf_resists_near(const sf_ended *here) {
  * where it has one next to the centre no motion is off it. */
 static int sf_is_single(const sf_ended *here) { return !sf_touches_centre(here) || sfi_has_sign(sf_stiffness(here)); }
 
-/* What the balance leaves of a box, low and high, and what is known on it, p and `resists`. Whether that may be some.
- */
+/* What the balance leaves of a box, low and high, and what is known on it, p and `resists`: whether some may be. */
 static int sf_on_balance(const sf_ended *here, const sf_ended *middle, double load, int centred, double *low,
                          double *high, sf_interval *p, sf_interval *resists, sf_interval *rising) {
     const sf_interval f = sfi_sub(middle->c_0, sfi_point(load)), slopes[2] = {here->c_x, here->c_y};
@@ -162,7 +161,7 @@ static void sf_ended_fold(const sf_ended *here, sf_interval R, double F_0, doubl
  */
 enum { SF_FOLD_PARTS = 8, SF_FOLD_ROUNDS = 10, SF_FOLD_HALVINGS = 60 };
 
-/* I I_A/A, with friction's share at another amplitude: I/A has half of the slope that quadratic damping gives to I,
+/* I I_A/A, with friction's share at another amplitude: I/A has half of the slope of quadratic damping's part of I,
  * whose share of I_A/A knows no amplitude. */
 static double sf_resistance(const sf_damping *of, double Omega, double A, double of_friction) {
     const double over = dissipation_I_A(Omega, A, of->eta, of->zeta, 0, 0.5 * of->d, 0);

@@ -180,7 +180,7 @@ static const char *sf_spring(const sf_model *model) {
     return sf_is_free(model) ? "none" : sf_levels_off(model) ? "levels off" : "holds";
 }
 
-/* Whether some force at Omega = 0 moves the mass as far as one likes. */
+/* Whether a finite force at Omega = 0 displaces the mass without bound. */
 static int sf_lets_go(const sf_model *model) {
     return !sf_inertial(model) && (sf_is_free(model) || sf_levels_off(model));
 }

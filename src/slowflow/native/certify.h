@@ -41,7 +41,7 @@ static void sf_leave_all_undecided(const sf_inputs *inputs, const sf_proof *proo
                                           sfi_of(proof->undecided[i].low, proof->undecided[i].high)));
 }
 
-/* Whether no amplitude from A on is that of a steady state at F_0 or less, as sf_bounds says. */
+/* Whether no amplitude from A on is that of a steady state at F_0 or less, as sf_bounds. */
 static int sf_is_bounded(const sf_inputs *inputs, double F_0, double A) {
     sf_known here, there;
     sf_cell cell;
@@ -125,7 +125,7 @@ static void sf_certify_corners(const sf_inputs *inputs, const sf_terms *terms, s
 
 static double sf_middle(sf_interval x) { return 0.5 * x.lo + 0.5 * x.hi; }
 
-/* Whether a fold comes after another one: by rising Omega, by rising A where that does not tell them apart, and where
+/* Whether a fold comes after another one: by rising Omega, by rising A where these overlap, and where
  * neither does the corner first. */
 static int sf_follows(const sf_enclosure *one, const sf_enclosure *other) {
     if (one->Omega.lo > other->Omega.hi || one->Omega.hi < other->Omega.lo)
@@ -147,7 +147,7 @@ static void sf_sort_enclosures(sf_certificate *out, int (*follows)(const sf_encl
     }
 }
 
-/* What an answer is before anything is proved: the range of A, and whether the forcing moves the mass. SF_UNRESOLVED
+/* What an answer is before anything is proved: the range of A, and whether friction holds the mass. SF_UNRESOLVED
  * where exact inputs are not known, NULL. */
 static sf_status sf_begin_certificate(const sf_model *model, const sf_inputs *inputs, sf_question question, double F_0,
                                       sf_room *room, sf_proving *proving) {
@@ -378,7 +378,7 @@ static int sf_tends_to_friction(const sf_inputs *inputs) {
 }
 
 /* The lowest forcing at which folds are born; what lies above the forcing that was found is left out. Where there is
- * none, as the status says, whether that is proved. For zeta = 0 a lowest one is not proved. */
+ * none, by the status, whether that is proved. For zeta = 0 a lowest one is not proved. */
 static sf_status sf_certify_onset(const sf_model *model, const sf_inputs *inputs, sf_room *room, sf_proved_onset *out) {
     sf_candidates list;
     sf_onset best;

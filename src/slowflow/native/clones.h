@@ -17,7 +17,7 @@
 #pragma once
 
 #include <stddef.h>
-#include <stdlib.h> /* a header of glibc, which tells of itself: stddef.h is the compiler's */
+#include <stdlib.h> /* defines __GLIBC__; stddef.h is the compiler's */
 
 #if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__GLIBC__) && !defined(SF_NO_CLONES)
 #define SF_HAS(feature) __builtin_cpu_supports(feature)
@@ -53,7 +53,7 @@
 #define SF_FMA_BUILDS "one"
 #define SF_WIDE_CHOSEN "the compiler's target"
 #define SF_FMA_CHOSEN "the compiler's target"
-#define SF_PROCESSOR "not asked"
+#define SF_PROCESSOR "unknown"
 #endif
 
 #if defined(__GNUC__)

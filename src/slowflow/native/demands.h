@@ -77,7 +77,7 @@ static void sf_balances_at(const sf_law_search *search, const sf_strip *strip, s
     }
 }
 
-/* w^2 by R, and R_A by it; where all is over Omega^2 and h may vanish R tells nothing. */
+/* w^2 by R, and R_A by it; where all is over Omega^2 and h may vanish R leaves w^2 unbounded. */
 static sf_interval sf_square_of(const sf_law_search *search, const sf_strip *strip, sf_interval R) {
     const sf_cell *cell = &strip->cell;
     if (search->far)
@@ -98,8 +98,7 @@ static inline int sf_is_stationary(const sf_law_search *search) {
     return search->system == SF_LAW_PEAKS || search->system == SF_LAW_ISOLAS;
 }
 
-/* Damping takes no more than the force: I <= F_0. Over Omega^2 I has I_0 where it has d else, and d where it has I_0.
- */
+/* Damping takes no more than the force: I <= F_0. Over Omega^2 I has I_0 and d interchanged. */
 static void sf_limit_by_damping(const sf_law_search *search, const sf_strip *strip, sf_interval *w) {
     const sf_laws_within *laws = &search->laws;
     const sf_interval A = strip->cell.A;
@@ -114,7 +113,7 @@ static void sf_limit_by_damping(const sf_law_search *search, const sf_strip *str
     w->hi = sfi_least(w->hi, sfi_most(most.hi, 0));
 }
 
-/* And no less than R leaves: next to A = 0, where an excitation by inertia has R and F_0 Omega^2 to tell peaks from
+/* And no less than R leaves: next to A = 0, where an excitation by inertia has R and F_0 Omega^2 to separate peaks from
  * what vanishes with A and 1/Omega. */
 static void sf_limit_from_below(const sf_law_search *search, const sf_strip *strip, sf_interval R, sf_interval *w) {
     const sf_laws_within *laws = &search->laws;
@@ -186,7 +185,7 @@ static int sf_narrow_unknowns(const sf_law_search *search, const sf_strip *strip
             const sf_interval most = dissipation_intervals_R_of_response(sfi_point(force.hi), at.I);
             of->R = sfi_both(of->R, sfi_of(-most.hi, most.hi));
         }
-        if (stationary && forced) /* next to Omega = 0, where h vanishes too, this tells */
+        if (stationary && forced) /* next to Omega = 0, where h vanishes too, this is the only bound */
             at.I = sfi_both(at.I, dissipation_intervals_R_of_response(force, of->R));
         if (sf_is_none(at.I))
             return 0;
@@ -224,7 +223,7 @@ static int sf_narrow_unknowns(const sf_law_search *search, const sf_strip *strip
                                 : dissipation_intervals_I_AA(of->w, cell->A, strip->rest[2], strip->zeta[1],
                                                              strip->zeta[2], search->laws.d, search->laws.d_3);
                 const sf_interval rest = sfi_add(sfi_add(sfi_square(at.R_A), sfi_square(at.I_A)), sfi_mul(at.I, bend));
-                /* next to a jump folds go to Omega = inf, where that is all that tells: no part of F_AA is negative */
+                /* next to a jump folds go to Omega = inf, where this is the only bound: no part of F_AA is negative */
                 if (rest.lo >= 0 && ((of->R.lo > 0 && cell->h_AA.lo > 0) || (of->R.hi < 0 && cell->h_AA.hi < 0)))
                     return 0;
                 of->R = sfi_both(of->R, sf_ratio(sfi_neg(rest), sfi_mul(cell->h_AA, scale)));

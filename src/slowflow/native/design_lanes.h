@@ -47,7 +47,7 @@ typedef struct {
     double verdict[SF_LANE_CELLS], cut[SF_LANE_CELLS], rises[SF_LANE_CELLS];
 } sf_lane_cells;
 
-/* Brackets with what is known of an amplitude inside. next: where F vanishes as far as that tells; change: how far that
+/* Brackets with what is known of an amplitude inside. next: where F vanishes by that estimate; change: how far that
  * is from there; base: where the piece of the force begins; last: of folds x, x^2 = A^2 - base^2, and of cusps A, the
  * function and its slope along that where it was evaluated before */
 typedef struct {
@@ -130,7 +130,7 @@ static inline double sf_lane_least(double f_a, double f_b, double falls, double 
     const double apart = falls - rises, meet = (f_b - f_a - rises * width) / (apart < 0 ? apart : -1.0);
     const double within = meet > 0 ? SF_LESSER(meet, width) : 0.0;
     const double by_a = f_a + falls * within, by_b = f_b - rises * (width - within);
-    /* a line without end tells nothing */
+    /* a vertical line is no bound */
     return fabs(falls) < HUGE_VAL ? (rises < HUGE_VAL ? SF_LESSER(by_a, by_b) : f_a + falls * width)
                                   : f_b - rises * width;
 }
@@ -200,7 +200,7 @@ static inline double sf_lane_amid(double base, double a, double b) {
     return b > 4 * a ? (a > 0 ? sqrt(a) * sqrt(b) : 0.5 * b) : amid;
 }
 
-/* Where a function vanishes that has these values and slopes at two amplitudes, as far as they tell: by the cubic that
+/* Where a function vanishes that has these values and slopes at two amplitudes, an estimate: by the cubic that
  * gives A */
 static inline double sf_zero_near(double a, double y_a, double slope_a, double b, double y_b, double slope_b) {
     const double over = 1 / (y_b - y_a), chord = (b - a) * over, flat_a = 1 / slope_a, flat_b = 1 / slope_b;

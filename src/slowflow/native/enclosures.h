@@ -73,7 +73,7 @@ static inline void sf_range_fold(const sf_terms *terms, const sf_cell *cell, sf_
     }
 }
 
-/* Whether a level may lie above what is still wanted. */
+/* Whether a level may lie above what is still required. */
 static inline int sf_is_limited(const sf_task *task) { return task->most != NULL && *task->most < HUGE_VAL; }
 
 static inline sf_interval sf_level_on(const sf_terms *terms, sf_interval Omega, const sf_cell *cell) {
@@ -276,7 +276,7 @@ static inline void sf_range_turn(const sf_model *model, const sf_cell *cell, int
 }
 
 /* What F does not exceed at an extremum over Omega: R = -zeta I/Omega is not positive there, so that |R| <= |h| and
- * A Omega^2 <= |h|. Of small amplitudes this tells all, also where h/A has no bound. */
+ * A Omega^2 <= |h|. This suffices for small amplitudes, also where h/A has no bound. */
 static inline double sf_most_of_peak(const sf_model *model, double F_0, const sf_cell *cell) {
     const double size = sfi_most(fabs(cell->h.lo), fabs(cell->h.hi));
     const double lag =
@@ -443,7 +443,7 @@ static inline void sf_range_inertial(const sf_task *task, const sf_cell *cell, s
     }
 }
 
-/* open: which channels are wanted; a: what is known where the cell begins */
+/* open: which channels are required; a: what is known where the cell begins */
 static inline void sf_find_range(const sf_task *task, const sf_known *a, sf_cell *cell, int open, sf_range out[2]) {
     const sf_model *model = task->model;
     if (sf_is_of_inertia(task)) {

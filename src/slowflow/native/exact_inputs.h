@@ -195,7 +195,7 @@ static inline void sf_know_above(const sf_inputs *inputs, int i, sf_known *out) 
     }
 }
 
-/* Whether smaller intervals tell no more of a function, which on this narrow one is `on`: it hardly varies, and at
+/* Whether smaller intervals bound a function no better, which on this narrow one is `on`: it hardly varies, and at
  * neither end its sign is known. */
 static inline int sf_is_noise(sf_interval on, sf_interval at_low, sf_interval at_high) {
     const double least = sfi_least(at_low.hi - at_low.lo, at_high.hi - at_high.lo);

@@ -36,7 +36,7 @@ typedef struct {
     sf_law_terms of;
 } sf_pinned_answer;
 
-/* Whether a value has lost its sign to rounding, as far as a share of its size says. */
+/* Whether a value is so small a share of its size that rounding may have its sign. */
 static inline int sf_vanishes(double value, double size, double tolerance) { return !(fabs(value) > tolerance * size); }
 
 static int sf_is_on_break(sf_pinned kind) {

@@ -48,7 +48,7 @@ enum { SF_MOST_NUMBERS = 5, SF_MOST_ITEMS = 14, SF_MOST_RESERVED = 4 };
  * inputs    -- its exact inputs, NULL where no proof about it is possible; exactly: the same in pairs
  * values    -- a list, behind the numbers
  * room      -- a workspace, which items may lie in; so may they in what is reserved
- * goes_on   -- to be called now and then by what takes long: 0 where it is interrupted, and the answer not wanted
+ * goes_on   -- to be called now and then by what takes long: 0 where it is interrupted, and the answer discarded
  */
 typedef struct sf_query {
     const sf_model *model;

@@ -61,7 +61,7 @@ static inline sf_interval sfi_times(double c, sf_interval a) {
     return sfi_of(sfi_product_down(c, a.lo), sfi_product_up(c, a.hi));
 }
 
-/* of a.lo >= 0; most products are far from underflow, which one test tells */
+/* of a.lo >= 0; one test shows that a product is far from underflow, as most are */
 static inline sf_interval sfi_mul_positive(sf_interval a, sf_interval b) {
     if (a.lo * b.lo > SFI_SMALL)
         return sfi_of(sfi_down(a.lo * b.lo), sfi_up(a.hi * b.hi));

@@ -1,6 +1,6 @@
 /* From a loop over contiguous arrays to the inner loop of a NumPy ufunc. Takes tables of kernels; returns `sf_run`.
  *
- * A kernel has one loop for each regime of the force and a function that says which regime holds where. NumPy's strides
+ * A kernel has one loop for each regime of the force and a function for which regime holds where. NumPy's strides
  * are dealt with here, in blocks that stay in the cache: strided arguments are copied, constant ones (stride 0) spread
  * once, and where a block holds several regimes each one's elements are put side by side. What is left over of a block
  * that is no multiple of a vector is filled up to one. So every loop sees contiguous arrays of whole vectors that do
@@ -66,7 +66,7 @@ typedef void (*sf_choose)(ptrdiff_t n, const double *const *in, unsigned char *r
 #define SF_ARGUMENTS_20 SF_ARGUMENTS_19, X(19)
 #define SF_ARGUMENTS_21 SF_ARGUMENTS_20, X(20)
 
-/* Of a kernel with one regime, whose function takes its arguments as they come: the loop, and what the table says. */
+/* Of a kernel with one regime, whose function takes its arguments in order: the loop, and its entry in the table. */
 #define SF_NUMBER(module, name, inputs) SF_SCALAR(, module##_##name, module##_##name, SF_ARGUMENTS_##inputs)
 #define SF_NUMBERS(module, name, inputs, outputs)                                                                      \
     SF_TUPLE(, module##_##name, outputs, module##_##name, SF_ARGUMENTS_##inputs)
@@ -87,7 +87,7 @@ typedef void (*sf_choose)(ptrdiff_t n, const double *const *in, unsigned char *r
         }                                                                                                              \
     }
 
-/* What the table says of a kernel's regimes: of one, and of several, which a kernel's function chooses. */
+/* The table's entry for a kernel's regimes: of one, and of several, which a kernel's function chooses. */
 #define SF_NAMED(regime, kernel) kernel##regime##_loop,
 #define SF_ONE(kernel)                                                                                                 \
     1, NULL, (const sf_loop[]) { kernel##_loop }

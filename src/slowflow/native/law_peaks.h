@@ -7,7 +7,7 @@
 #include "points.h"
 
 /* The peak where I knows no frequency: F_Omega = 0 leaves R = 0, and F = 0 then I = F_0, each of one variable. Where
- * damping is weak F bends so much beside it that boxes are small before they tell, as small as what rounding leaves of
+ * damping is weak F bends so much next to it that boxes have to be small, as small as what rounding leaves of
  * R. Next to an end of a piece it is not known on which it is, nor where h vanishes, whether Omega^2 > 0. */
 static void sf_find_structural_peak(const sf_model *model, double F_0, const sf_stretches *pieces,
                                     sf_law_points *found) {
@@ -82,7 +82,7 @@ static int sf_is_static_top(const sf_model *model, double F_0, const sf_sample *
 }
 
 /* The highest peak as sf_peak has it: where a pair of frequencies ends that is there below. With SF_UNRESOLVED A is the
- * highest amplitude at which doubles do not tell whether there is one, if it is known. */
+ * highest amplitude at which doubles do not resolve whether there is one, if it is known. */
 static sf_status sf_law_peak(const sf_model *model, double F_0, double most, sf_work *work, double *A, double *Omega) {
     const sf_law_points *peaks = &work->points.found;
     double highest = 0, doubt = 0;

@@ -1,11 +1,11 @@
-/* Other laws of damping beside viscous damping and dry friction on all of the way. Takes an amplitude; returns I and
+/* Laws of damping other than viscous damping and dry friction on all of the way. Takes an amplitude; returns I and
  * its slopes there, and the frequencies of states and folds.
  *
  *   I = I_0 + 2 zeta(A) A Omega + d (A Omega)^2 + d_3 (A Omega)^3
  *
  * I_0 is friction, on all of the way or up to the first breakpoint, and structural damping; zeta(A) = zeta + zeta_2
  * A^2/4, in which zeta > 0 bounds it from below. F and F_A/2 are of degree 6 in Omega, 4 without d_3, of whose
- * coefficients that of Omega^2 alone may be negative beside the constant (derivations/extensions/dissipation.py): they
+ * coefficients that of Omega^2 alone may be negative besides the constant (derivations/extensions/dissipation.py): they
  * have at most two positive critical points, a maximum and then a minimum. Under an excitation by inertia, with d_3 =
  * 0, F over Omega^4 is such a polynomial in 1/Omega.
  */
@@ -15,7 +15,7 @@
 #include "dissipation.h"
 #include "dissipation_intervals.h"
 
-/* below it F_0^4 and what is its rounding are not told apart from 0 */
+/* below it F_0^4 and what is its rounding count as 0 */
 #define SF_LEAST_F_0 0x1p-240
 /* below it squares of amplitudes are not far from where doubles lose digits */
 #define SF_TINY 0x1p-400
@@ -50,7 +50,8 @@ static inline int sf_laws_damping_of(const double *inputs, double *damping) {
     damping[0] = slow_flow_friction(inputs[0]), damping[1] = inputs[1], damping[2] = inputs[2];
     damping[3] = dissipation_quadratic(inputs[3]), damping[4] = dissipation_cubic(inputs[4]);
     damping[5] = inputs[5], damping[6] = inputs[6] != 0;
-    /* without friction beyond the breakpoint something else has to dissipate there, and next to rest beside c_3, zeta_2
+    /* without friction beyond the breakpoint something else has to dissipate there, and next to rest besides c_3,
+     * zeta_2
      */
     return (inputs[6] == 0 || inputs[1] + inputs[2] + inputs[3] > 0) && (inputs[4] + inputs[5] == 0 || inputs[1] > 0);
 }
@@ -129,8 +130,7 @@ static inline double sf_law_F_AA(const sf_model *model, const sf_sample *at, dou
                             of.d_3, at->h, at->h_A, at->h_AA);
 }
 
-/* ==== The polynomial of an amplitude =================================================================================
- */
+/* ==== The polynomial of an amplitude ============================================================================== */
 
 typedef enum { SF_OF_RESPONSE, SF_OF_FOLDS } sf_law_polynomial_kind;
 

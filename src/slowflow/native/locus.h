@@ -97,7 +97,7 @@ static int sf_is_extremum(const sf_zero *zero) {
     return zero->question == SF_CUSP || zero->question == SF_ISOLA || zero->question == SF_UNDAMPED;
 }
 
-/* Cusps and isola points up to A_max in work, and where `whole` the locus. Without it no turns are asked for, which are
+/* Cusps and isola points up to A_max in work, and where `whole` the locus. Without it turns are left out, which are
  * beyond doubles where damping is weak: there its two branches all but cross. */
 static sf_status sf_fold_locus(const sf_model *model, double A_max, int whole, sf_work *work) {
     sf_graph *graph = &work->locus;

@@ -18,8 +18,7 @@ enum {
 /* the last step of a question whose errors fall by cubes */
 #define SF_LAST_BY_CUBES 0x1p-17
 
-/* Designs of a block in pairs, their parameters made at once: in loops that vectorise they take a fraction of the time.
- */
+/* Designs of a block in pairs, their parameters made at once: vectorised loops take a fraction of the time. */
 typedef struct {
     double number[SF_MOST_DESIGN * SF_LANE_BLOCK], part[2 * (SF_MOST_PARAMETERS + SF_MOST_BREAKS) * SF_LANE_BLOCK];
 } sf_exact_block;
@@ -51,7 +50,7 @@ static int sf_take_member(const sf_call *at, const sf_exact_block *block, ptrdif
     return 1;
 }
 
-/* The same with all else that a model has; 0 also where sf_prepare refuses it, or doubles do not tell its jumps. */
+/* The same with all else that a model has; 0 also where sf_prepare refuses it, or doubles have lost its jumps. */
 static int sf_prepare_member(const sf_call *at, const sf_exact_block *block, int d, sf_model *model) {
     return sf_take_member(at, block, d, model) && sf_prepare(at->mechanism, NULL, model) &&
            sf_take_jumps(block, d, model);

@@ -305,7 +305,7 @@ static double sf_undamped_rises(double h_AA, double h_AAA, double k, int order) 
     return rises[order];
 }
 
-/* For zeta = 0 folds lie at Omega^2 = -h_A and their level is that of R = k. This says where a forcing is
+/* For zeta = 0 folds lie at Omega^2 = -h_A and their level is that of R = k. This is where a forcing is
  * the least inside a piece, and whether k tends to 0 there, so that the level only tends to m. */
 static int sf_undamped_in(const sf_model *model, const sf_stretch *piece, sf_zeros *zeros, sf_onset *best) {
     int tends = 0;
@@ -481,7 +481,7 @@ static void sf_begin_onset(const sf_model *model, const sf_piece_ends *ends, sf_
     }
 }
 
-/* No onset, for the reason that a status gives. limit: what the level of folds comes down to, if that is known */
+/* No onset, for the reason in a status. limit: what the level of folds comes down to, if that is known */
 static sf_status sf_without_onset(sf_status status, double limit, sf_onset *best) {
     best->F_SN = best->Omega = best->A = NAN, best->kind = SF_NO_KIND;
     if (status == SF_UNBOUNDED)

@@ -1,4 +1,4 @@
-/* The arctangent of pairs: the next of PAIR_ANGLES_CUT + 1 angles is taken off, a power series gives the rest
+/* The arctangent of pairs: the next of PAIR_ANGLES_CUT + 1 angles is taken off, a power series has the rest
  * (derivations/codegen/arctangent.py). The derivation prints both: pair_angle_series.h.
  */
 #pragma once
@@ -35,7 +35,7 @@ TWOFOLD_INLINE sf_pair pair_angles_atan2(sf_pair y, sf_pair x) {
     return steep ? sfp_sub(pair_angles_half_pi, angle) : angle;
 }
 
-/* The angle of (y, x): what pair_angles_atan2(x, y) gives. */
+/* The angle of (y, x): as pair_angles_atan2(x, y). */
 TWOFOLD_INLINE sf_pair pair_angles_atan2_swapped(sf_pair y, sf_pair x) {
     const int steep = y.high > x.high;
     const sf_pair angle = pair_angles_acute(steep ? x : y, steep ? y : x);

@@ -2,13 +2,13 @@
  * goes a piece of the force, out come all of them.
  *
  * Unknowns are the amplitude and the balance R: Omega^2 = (R - h)/A, in which nothing cancels where R is small, as at a
- * fold of weak damping; or the frequency w, where R is not small beside h. Under an excitation by inertia all is over
+ * fold of weak damping; or the frequency w, where R is not small against h. Under an excitation by inertia all is over
  * Omega^2, in w = 1/Omega: Omega^-2 = (R - A)/h. None is missed: a box is left only when it is proved to hold no point,
  * or exactly one. First what both functions demand narrows R and w (demands.h), which nearly removes a dimension; then
  * one of them may have a sign on what is left. If the determinant of their slopes has one, the box holds no more than
  * one point (the slopes between two points are among those of the box). That there is one Krawczyk's operator proves on
  * a small box around where Newton's method leads. Else the box is cut; where that goes on until no double lies between
- * its ends, that it was undecided is said. As in scan.h what kernels err by is taken for granted (SF_ERROR).
+ * its ends, it is marked undecided. As in scan.h what kernels err by is taken for granted (SF_ERROR).
  */
 #pragma once
 
@@ -290,8 +290,8 @@ static int sf_settle_point(sf_law_search *search, sf_law_box *box, double middle
 
 /* ==== The search ================================================================================================= */
 
-/* Whether it is the other unknown that is cut, which moves both functions more than A does. Next to a jump no slope by
- * A is bounded, next to w = 0 none by R. */
+/* Whether it is the other unknown that is cut, with which both functions change more than with A. Next to a jump no
+ * slope by A is bounded, next to w = 0 none by R. */
 static int sf_moves_by_other(const sf_law_search *search, const sf_law_box *box, sf_interval u,
                              const sf_interval f[6]) {
     const double width = box->b.at.A - box->a.at.A, height = u.hi - u.lo;
@@ -313,7 +313,7 @@ static int sf_moves_by_other(const sf_law_search *search, const sf_law_box *box,
            width * sfi_most(sf_size_of(u), box->by_w || !sf_is_forced(search) ? SF_LOW : search->F_0);
 }
 
-/* Whether R is no small difference of A Omega^2 and h, or R over Omega^2 does not tell w, as h may vanish. */
+/* Whether R is no small difference of A Omega^2 and h, or R over Omega^2 does not determine w, as h may vanish. */
 static int sf_is_R_large(const sf_law_search *search, const sf_strip *strip, sf_interval R) {
     const double size = SF_SMALL_SHARE * sf_size_of(search->far ? strip->cell.A : strip->cell.h);
     return R.lo >= size || R.hi <= -size || (search->far && !(strip->cell.h.hi < 0));

@@ -41,7 +41,7 @@ typedef struct {
     int by_w;
 } sf_law_box;
 
-/* F_0: the forcing, or of cusps and isola points the highest level that is asked for; base, end: of the piece; blurred:
+/* F_0: the forcing, or of cusps and isola points the highest level that is required; base, end: of the piece; blurred:
  * the amplitude up to which no cell is cut; far: whether all is over Omega^2; part: number of what is looked through */
 typedef struct {
     const sf_model *model;

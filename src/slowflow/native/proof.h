@@ -13,7 +13,7 @@
 /* what is not decided after so many cells is left undecided */
 #define SF_MOST_PROOF_CELLS 4000
 /* in an interval that is narrower, relatively, a zero may lie on an end or be double: it is cut only as long as that
- * tells more, and not where the function ends */
+ * bounds it better, and not where the function ends */
 #define SF_PROOF_NARROW 0x1p-36
 /* nor one that ends so near to the beginning of its piece, relatively */
 #define SF_PROOF_NEXT 0x1p-960
@@ -217,7 +217,7 @@ static void sf_add_undecided(sf_proof *out, double low, double high, int piece, 
     out->undecided[out->n_undecided].piece = piece, out->undecided[out->n_undecided++].channel = c;
 }
 
-/* Whether smaller cells tell no more of a function: one that only rises or falls has its zero next to an end. What is
+/* Whether smaller cells bound a function no better: one that only rises or falls has its zero next to an end. What is
  * narrow against its amplitudes need not be so against how far these lie above their breakpoint. */
 static int sf_is_cut_enough(const sf_proving *proving, sf_checked *a, sf_checked *b, int c, const sf_range *range) {
     const double low = a->known.A, high = b->known.A;

@@ -8,7 +8,7 @@
 #include "clones.h"
 #include "mechanism.h"
 
-/* An odd force moves about its centre. */
+/* Motions of an odd force are about its centre. */
 static double records_centred(double A, const double *p) {
     (void)(A);
     (void)(p);

@@ -79,7 +79,7 @@ static inline double sf_size_of_step(const double out[4], sf_varied unknowns, co
     return size;
 }
 
-/* How far, relatively, Newton's method would move what does not settle; 0 where pairs do not tell. */
+/* How far, relatively, Newton's method would change what does not settle; 0 where pairs have too few digits. */
 static inline double sf_is_off_by(sf_step step, sf_varied unknowns, int count, const sf_exactly *exactly,
                                   const sf_model *model, const sf_settling *of) {
     sf_exact_sample at;
@@ -276,7 +276,7 @@ static inline int sf_settle_state_above(const sf_exactly *exactly, const sf_mode
            sf_settle_above(slow_flow_pairs_state_step, SF_VARY_A, NULL, exactly, model, piece, of);
 }
 
-/* Of two doubles on both sides of a breakpoint steps do not tell which is nearer: the state between them may be just
+/* Of two doubles on both sides of a breakpoint steps do not show which is nearer: the state between them may be just
  * above it. */
 static inline double sf_state_between(const sf_exactly *exactly, const sf_model *model, double Omega, double F_0,
                                       double A) {

@@ -2,8 +2,8 @@
  *
  * The method is that of roots.h, without its branches: signs at three points, the start of each root, Halley's steps in
  * double, as many for each, and a Newton step with the residual in double-double. Where that step is not small enough
- * to be the last, roots.h goes on from there; where rounding could have decided a sign, the block says so, and roots.h
- * has the quartic.
+ * to be the last, roots.h goes on from there; where rounding could have decided a sign, the block is marked, and
+ * roots.h has the quartic.
  */
 #pragma once
 
@@ -25,7 +25,7 @@ typedef struct {
 
 enum { SF_F0_BELOW = 1, SF_F1_ABOVE = 2, SF_F2_BELOW = 4, SF_CRITICAL = 8, SF_UNSURE = -1 };
 
-/* Roots that are wanted: of which quartic of a block, and at which place (roots.h), one of the first four; is_last:
+/* Roots to compute: of which quartic of a block, and at which place (roots.h), one of the first four; is_last:
  * whether Omega needs no further step */
 typedef struct {
     int n, of[SF_MOST_JOBS];

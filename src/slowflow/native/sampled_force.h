@@ -72,7 +72,7 @@ static void sf_sampled_terms(const sf_quarter *of, int piece, int nodes, const d
     }
 }
 
-/* The first integrals, so many as are wanted; what ends add to these is another matter. */
+/* The first integrals, so many as are required; what ends add to these is another matter. */
 static void sf_sampled_sums(const sf_mechanism *self, int which, int count, double A, double *out) {
     const sf_sampled *force = self->sampled;
     sf_over_quarter(&force->sums[which], count, A, NULL, force->ends, out);

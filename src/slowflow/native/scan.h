@@ -66,7 +66,7 @@ static int sf_is_F_close(const sf_model *model, const sf_sample *at, double F_0,
 }
 
 /* Whether the function whose zeros are folds, or states, is as near to 0 as rounding may bring it. Two of its zeros
- * that are about to meet, or have met, lead the search there. Omega in it follows from I, as sf_fold_Omega says. */
+ * that are about to meet, or have met, lead the search there. Omega in it follows from I, as in sf_fold_Omega. */
 static int sf_is_close(const sf_search *search, const sf_probe *probe) {
     const sf_task *task = &search->task;
     const sf_sample *at = &probe->at;
@@ -216,7 +216,7 @@ static int sf_settle(const sf_search *search, const sf_probe *a, const sf_probe 
         return 1;
     }
     if (last && a->answer.exists[c] != b->answer.exists[c] && a->answer.edge * b->answer.edge < 0)
-        search->found->undecided = 1; /* it ends where its sign there turns, which doubles do not tell apart */
+        search->found->undecided = 1; /* it ends where its sign there turns, which doubles do not resolve */
     return last;
 }
 

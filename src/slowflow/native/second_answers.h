@@ -367,8 +367,8 @@ static sf_second_curve *sf_second_around(const sf_model *model, const sf_inputs 
     return sf_second_response(model, inputs, F_0, extent, SF_SAMPLES, low / SF_BEYOND, high * SF_BEYOND, room, status);
 }
 
-/* Every fold at F_0; `left` says what of averaging's curve is left out, and how much of it was followed: 0 where there
- * is nothing to start from. Whether doubles tell averaging's folds says the room.
+/* Every fold at F_0; `left`: what of averaging's curve is left out, and how much of it was followed: 0 where there
+ * is nothing to start from. Whether doubles resolve averaging's folds is in `room`.
  *
  * low, high: frequencies between which averaging's folds and its peak lie; infinite where these are not known */
 static sf_status sf_second_saddle_nodes(const sf_model *model, const sf_inputs *inputs, double F_0, double low,

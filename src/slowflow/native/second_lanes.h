@@ -22,7 +22,7 @@ static inline double sf_force_squared_slope(double Omega, double F_0) {
 
 /* Row k of the n states, of which there are whole vectors, begins at known[k * n], and at out[k * n].
  *
- * inertial: whether the force is F_0 Omega^2; phases: whether phi is wanted, which else is none */
+ * inertial: whether the force is F_0 Omega^2; phases: whether phi is required, else it is NaN */
 void sf_second_balances(ptrdiff_t n, const double *Omega, const double *A, double F_0, int inertial, int phases,
                         double m, double zeta, const double *known, double *out);
 

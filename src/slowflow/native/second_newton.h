@@ -98,7 +98,7 @@ typedef struct {
     int n;
 } sf_lanes;
 
-/* Points where they end: with the last step, infinite where none was taken, and -1 where none is wanted; and what is
+/* Points where they end: with the last step, infinite where none was taken, and -1 where none is required; and what is
  * looked for there, F_A or u_max, of points that went their own way. */
 typedef struct {
     double *Omega, *A, *R, *step, *value;

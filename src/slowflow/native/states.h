@@ -120,7 +120,7 @@ static int sf_take_proved_states(const sf_model *model, const sf_inputs *inputs,
 }
 
 /* The steady states at Omega by rising A, from the segments; returns their number. undecided: whether doubles do not
- * tell it */
+ * resolve it */
 static int sf_states_on_curve(const sf_model *model, const sf_inputs *inputs, double F_0, sf_room *room, double Omega,
                               double *A, unsigned char *stable, int *undecided) {
     if (sf_has_laws(model))
@@ -168,7 +168,7 @@ static int sf_clear_states(const sf_model *model, const sf_exactly *exactly, dou
     return n;
 }
 
-/* The steady states at Omega by rising A, at most SF_MOST_STATES. undecided: whether doubles do not tell their
+/* The steady states at Omega by rising A, at most SF_MOST_STATES. undecided: whether doubles do not resolve their
  * number */
 static sf_status sf_states(const sf_model *model, const sf_inputs *inputs, double F_0, sf_room *room, double Omega,
                            int *n, double *A, unsigned char *stable, int *undecided) {

@@ -1,4 +1,4 @@
-/* A straight line of operations on registers: the arguments, the constants, then what is computed; what it gives in
+/* A straight line of operations on registers: the arguments, the constants, then what is computed; its values in
  * doubles, and how it is read.
  *
  * The operations are those of the C that `make derive` prints, in its order and in its arithmetic: so are their bits.
@@ -22,7 +22,7 @@ typedef struct {
     unsigned short operation, result, first, second;
 } sf_instruction;
 
-/* One straight line; output: the registers of what it gives. */
+/* One straight line; output: the registers of its results. */
 typedef struct {
     int arguments, constants, registers, length, outputs;
     const sf_instruction *code;

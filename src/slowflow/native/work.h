@@ -33,7 +33,7 @@ typedef struct {
     /* lowest level at which the fold locus ends at Omega = 0, or with a preload at A = 0, or infinite; with SF_NO_BOUND
      * a forcing that none bounds */
     double rest;
-    int undecided; /* whether there may be one whose amplitude no double tells from others */
+    int undecided; /* whether there may be one whose amplitude is the same double as another's */
 } sf_onset;
 
 /* Whether folds that end at Omega = 0, or with a preload at A = 0, are below it, or without it. */
@@ -42,7 +42,7 @@ static inline int sf_is_rest_below(const sf_onset *found) {
 }
 
 /* isola: an isola point, else a cusp; minimum: of the level along the fold locus; saddle: F has a saddle in (A,
- * Omega); few_digits: it does not settle, and is off by more than roundings, or nothing tells by how much */
+ * Omega); few_digits: it does not settle, and is off by more than roundings, or by an unknown amount */
 typedef struct {
     double F_0, Omega, A;
     int isola, minimum, saddle, few_digits;

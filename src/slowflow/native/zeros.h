@@ -13,9 +13,8 @@ typedef struct {
     int channel, rising;
 } sf_zero;
 
-/* cells: intervals looked at; undecided: whether one of them holds a number of zeros that doubles do not tell; close:
- * of
- * SF_FOLD_AT and SF_STATE, whether the function was seen as near to 0 as rounding may bring it */
+/* cells: intervals looked at; undecided: whether one of them holds a number of zeros that doubles do not resolve;
+ * close: of SF_FOLD_AT and SF_STATE, whether the function was seen as near to 0 as rounding may bring it */
 typedef struct {
     int n, cells, undecided, close;
     sf_status status;

@@ -336,8 +336,7 @@ static PyObject *newton(PyObject *self, PyObject *arguments) {
 }
 
 /* (points, steps, pause, step, travelled): the points' numbers row by row in `rows`, which sets how many there may be;
- * `points` holds z and tangent of the last point, of the one before if there is one; `first` z and tangent, or nothing.
- */
+ * `points` holds z and tangent of the last point, of the one before if there is one; `first` those, or nothing. */
 static PyObject *trace(PyObject *self, PyObject *arguments) {
     (void)self;
     PyObject *result = NULL;

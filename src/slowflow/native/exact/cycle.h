@@ -88,7 +88,7 @@ static sf_outcome sf_cycle_equations(sf_forced *forced, const sf_cycle *cycle, c
             }
             row[n - 1] += by[2];
             /* v is forgotten; where the push that breaks it away exceeds friction the acceleration jumps from 0, and u
-             * tells when; elsewhere it is continuous */
+             * shows when; elsewhere it is continuous */
             const double jump =
                 system->mu_s > system->mu ? sf_acceleration(forced, next_slip, region, end, u, 0.0) : 0.0;
             const double of_place = jump == 0.0 ? 0.0 : motion_released(jump, Omega, by[0], by[1]);
@@ -282,8 +282,8 @@ static sf_outcome sf_newton(sf_forced *forced, const sf_cycle *cycle, double *z,
         /* towards Omega = 0 a turn takes ever longer: a trial that goes half the way is none */
         if (extra->kind != SF_NO_MORE && !(fabs(step[k + 2]) < 0.5 * z[k + 2]))
             return SF_DIVERGES;
-        /* next to a neutral motion a small residual says little: what is left of u_0 has to be small, too; off the
-         * centre u_0 itself may be 0 */
+        /* next to a neutral motion a small residual is no sign of convergence: what is left of u_0 has to be small,
+         * too; off the centre u_0 itself may be 0 */
         const double own = fabs(step[0]), size_of_u = fmax(fabs(z[0]), out->A);
         const int stays = error <= 100.0 * tolerance && length >= 0.5 * last;
         if (stays && own > SF_LOOSE * size_of_u)

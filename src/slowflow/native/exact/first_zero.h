@@ -101,7 +101,7 @@ static sf_found sf_first_within(const double *a, const double *b, double low, do
 }
 
 /* The first zero on (0, 1] of the polynomial a, which is positive to the right of 0: at 0 itself where it is not. Where
- * it only touches zero within rounding, and is positive beyond, that is UNDECIDED and *zero says where. */
+ * it only touches zero within rounding, and is positive beyond, that is UNDECIDED, at *zero. */
 static sf_found sf_first_zero(const double *a, double *zero) {
     *zero = 0.0;
     if (!(a[0] > 0.0))

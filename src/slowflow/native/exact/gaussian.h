@@ -100,7 +100,7 @@ static void sf_add_parts(const sf_part_of_force *whole, sf_positive *to) {
     to->at[to->count++] = part;
 }
 
-/* How often the coefficients of a polynomial change their sign about a place, -1 where rounding does not tell. They are
+/* How often the coefficients of a polynomial change their sign about a place, -1 where rounding hides it. They are
  * left there, with the sizes of their terms, and the first and the last sign, 0 if all are 0. */
 static int sf_sign_changes(double *c, double *size, int degree, double place, int sign[2]) {
     int changes = 0;
@@ -222,8 +222,7 @@ static void sf_put_moments_beyond(double low, int last, double *m) {
         power *= low, m[n] = (n - 1) * m[n - 2] + power;
 }
 
-/* Those of even powers up to an end: from x^0 upwards, or where that cancels from the series of the last one downwards.
- */
+/* Those of even powers up to an end: from x^0 upwards, or where that cancels downwards from the last one's series. */
 static void sf_put_moments_up_to(double high, int last, double *m) {
     const double xx = high * high, density = high < SF_FARTHEST ? SF_DENSITY * exp(-0.5 * xx) : 0.0;
     double power[SF_MOMENTS];
@@ -280,7 +279,7 @@ static sf_gaussian sf_averages(const sf_positive *force, double sigma) {
 
 /* How often u f - square changes its sign, or 2 where that may be more than once. sigma (E[u f] - square) is a Laplace
  * transform of it, at 1/(2 sigma^2): it has no more zeros than that (Laguerre). In a part the coefficients about its
- * begin do not change their sign less often (Descartes), and once is as often as both ends say. */
+ * begin do not change their sign less often (Descartes), and one change follows from the signs at both ends. */
 static int sf_changes(const sf_positive *force, double square) {
     int changes = 0, before = -1;
     for (int i = 0; i < force->count; i++) {

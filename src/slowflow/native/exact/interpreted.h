@@ -1,6 +1,5 @@
 /* The pieces of a force from data, without a compiler. Takes words and numbers that the derivation writes
- * (derivations/codegen/targets/program); returns laws whose functions interpret them, to the bits of the printed ones.
- */
+ * (derivations/codegen/targets/program); returns laws whose functions interpret them, with the bits of printed ones. */
 #pragma once
 
 #include "step.h"

@@ -23,8 +23,7 @@ enum { SF_IN_PART = 2 * SF_NODES };
 /* by how much less the lowest damping is taken to be; a lower damping ratio than that is taken for it */
 #define SF_MARGIN 1.5
 #define SF_LEAST_RATIO 0x1p-40
-/* of k over the square of a table's lowest frequency, below which it does not matter; by how much I_0 may change there
- */
+/* of k over the square of a table's lowest frequency, below which it does not matter; how much I_0 may change there */
 #define SF_SOFT 1e-6
 /* of ln(Omega): from where on a band is far from a pole; by how much -ln Z rises there with p at a constant damping
  * ratio */
@@ -33,9 +32,9 @@ enum { SF_IN_PART = 2 * SF_NODES };
 enum { SF_TRIALS = 5, SF_MOST_HALVINGS = 20 };
 /* by how much more than its bound E[u f] is at the end of the search at most */
 #define SF_MORE 1.5
-/* how much of a cell may be left where its bounds say so, or it is cut */
+/* how much of a cell its bounds may leave, or it is cut */
 #define SF_SHRINKS 0.5
-/* how near a damping is wanted in a cell, over its size; far from a root; and at it, or where no size is known */
+/* how accurate a damping has to be in a cell, over its size; far from a root; and at it, or where no size is known */
 #define SF_AS_NEAR 0x1p-5
 #define SF_ROUGH 0x1p-5
 #define SF_NEAREST 0x1p-28
@@ -47,7 +46,7 @@ typedef struct {
 } sf_band;
 
 /* strength: pi times the largest density; whole: int G dOmega; over: int G/Omega dOmega; least, most: of the slopes;
- * falls: G at the end, the frequency `end`. Python keeps it as it stands, bands behind. */
+ * falls: G at the end, the frequency `end`. Python keeps its bytes, bands behind. */
 typedef struct {
     double strength, whole, over, least, most, end, falls;
     int bands;
@@ -268,10 +267,10 @@ static inline void sf_intersect(sf_ends *to, double low, double high) {
 }
 
 /* Between which ends the slopes of ln I_j are in that box, j = 2 i, by p, by q, and by p at a constant damping ratio.
- * At that 1/Z moves along ln(Omega): the slope is (j - 3 + s)/2 in the mean of the slopes s of ln G, and what jumps
- * add; s is that of near bands, but for the share of the far ones. Away from its pole -ln Z rises with p by
+ * At that 1/Z is shifted along ln(Omega): the slope is (j - 3 + s)/2 in the mean of the slopes s of ln G, and what
+ * jumps add; s is that of near bands, but for the share of the far ones. Away from its pole -ln Z rises with p by
  * SF_FAR_RISES at most, and I_j falls by no more than the bound of the slope has it, which is tried. By q the slope is
- * -2 y in the mean, 0 < y < 1, which moves with p as y and s/2 vary together, and with q by 1 at most. */
+ * -2 y in the mean, 0 < y < 1, which changes with p as y and s/2 vary together, and with q by 1 at most. */
 static void sf_slopes_within(const sf_table *table, const sf_moments *at, double p, double q, const double r[2],
                              sf_ends slopes[2][3]) {
     const sf_ends k = {exp(p - r[0]), exp(p + r[0])}, near = at->near;
@@ -442,7 +441,7 @@ static double sf_excess(sf_linearized *of, const sf_gaussian *at, double near, s
 
 /* The root in a cell, if it has one: the excess rises or falls between two values of ln(sigma), and has no root
  * elsewhere. Newton's iteration between ends that close in, from a sigma on. Where that leaves the cell the sign at its
- * end says whether there is a root. The damping is wanted as near as the step before is small: one integral serves
+ * end says whether there is a root. The damping is as accurate as the step before is small: one integral serves
  * both. */
 static void sf_put_stationary(sf_linearized *of, const sf_gaussian *a, const sf_gaussian *b, sf_ends t, int rises,
                               double from) {

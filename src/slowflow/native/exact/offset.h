@@ -390,7 +390,7 @@ static double sf_lowest_motion(sf_offset *of, const sf_far_cells *cells, double 
 }
 
 /* Every stationary motion, by rising sigma; under white noise of a power c sigma_v^2, or a table where that is 0. The
- * outcome is 0 where friction holds the mass nearly all of the time, -1 where the force does not push back far from 0.
+ * outcome is 0 where friction holds the mass nearly all of the time, -1 where far from 0 the force does not push back.
  */
 static int sf_offset_motions(const sf_system *system, double power, const sf_table *table, sf_motions *found) {
     const sf_under_table excited = {table, system};

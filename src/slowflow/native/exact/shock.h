@@ -55,7 +55,7 @@ static sf_outcome sf_under(sf_shocked *shock, double since, const sf_arc *arc) {
     const int region = sf_region_of(system, u);
     sf_outcome outcome = SF_GOOD;
     shock->phases.count = 0;
-    /* at rest the spring holds the load but for a rounding, which tells nothing of where the mass goes */
+    /* at rest the spring holds the load but for a rounding, which has no part in where the mass goes */
     const double error = system->load != 0.0 ? SF_BALANCED * (fabs(system->load) + arc->F) : 0.0;
     const double holds = sf_holding(system, region), push = fabs(sf_push(&forced, region, arc->theta, u));
     const int balanced = shock->v == 0.0 && push <= fmax(holds, error);

@@ -92,9 +92,9 @@ static inline double sf_slope(const sf_piece *piece, double u) {
     return piece->law->slope(piece->law, piece->p[u > 0.0], sf_is_beyond(piece, u) ? 0.0 : u);
 }
 
-/* What the generated recurrences of a piece are: begin() gives the coefficients 0 of all its series from that of
- * series 0, which is u, and reciprocals; next() gives the coefficients n > 0 in w, likewise, and what they contribute
- * to the sums of the coefficients after it. */
+/* What the generated recurrences of a piece are: begin() computes the coefficients 0 of all its series from that of
+ * series 0, which is u, and reciprocals; next() computes the coefficients n > 0 in w, likewise, and what they
+ * contribute to the sums of the coefficients after it. */
 typedef void sf_begin(const double *p, double *first, double *over);
 typedef void sf_next(const sf_coefficients *c, const double *p, double *w, sf_four *left, sf_four *right);
 

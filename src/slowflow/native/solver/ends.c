@@ -126,7 +126,7 @@ static void by_boxes(void (*call)(const sf_on_box *in, double *out), const int *
             *(double *)(void *)(operands[all] + i * steps[all] + k * *core) = out[k];
     }
 }
-/* numbers that a row takes or gives at most */
+/* inputs or outputs of a row at most */
 enum { SF_MOST_OF_ROW = 40 };
 
 /* A function of numbers in a row, for each element: inputs one after the other, then outputs.

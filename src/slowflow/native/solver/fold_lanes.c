@@ -41,7 +41,7 @@ static inline double size_of_k(double square, double A, double F_0, double m, do
 }
 
 /* Where |k| is K next to where folds begin or end, by what is known at x: on the first piece it is nearly a power of x,
- * and above a breakpoint what the jump gives it falls with 1/x. */
+ * and above a breakpoint the jump's part of it falls with 1/x. */
 static inline double where_k_is(double K, double x, double k, double k_x, double base, int begins) {
     const double ratio = K / fabs(k), power = k / (x * k_x), signed_K = (begins ? K : -K) * (k_x < 0 ? -1.0 : 1.0);
     const double by_power = x * ((1 + power) * ratio + (1 - power)) / ((1 - power) * ratio + (1 + power));

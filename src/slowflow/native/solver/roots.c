@@ -11,7 +11,7 @@
 #define IN(k) (*(const double *)(operands[k] + i * steps[k]))
 
 /* Roots and their number for element i; unused places are NaN. A solver tries values that it then discards: the flags
-   that these raise are no fault of the arguments, whose faults the number -1 tells. */
+   that these raise are no fault of the arguments, whose faults have the number -1. */
 #define ROOTS_LOOP(name, inputs, most, solve)                                                                          \
     SF_FMA void name(char **operands, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data) {               \
         (void)data;                                                                                                    \
