@@ -362,6 +362,23 @@ def test_the_response_spectrum_integrates_to_the_mean_square():
         assert np.trapezoid(density, Omega) == pytest.approx(u_rms**2, rel=1e-6)
 
 
+def test_the_absolute_displacement_is_that_of_mass_and_base():
+    """u + z of the linear oscillator: its transfer from z'' is (k + i c W)/(W^2 Z), on a grid."""
+    found = Isolator(**DESIGN, mu=0.005, zeta=0.02).random(psd=STEPS)
+    (k,), (c,) = found.stiffness, found.damping
+    total = 0.0
+    for low, high in ((0.3, 1.0), (1.0, 2.0), (2.0, 9.0)):
+        W = np.linspace(low, high, 400_001)[1:-1]
+        y = np.abs((k + 1j * c * W) / (W**2 * (k - W**2 + 1j * c * W))) ** 2
+        total += np.trapezoid(found.excitation.density(W) * y, W)
+    assert found.absolute_rms() == pytest.approx([math.sqrt(total)], rel=1e-4)
+    assert Isolator(**DESIGN, zeta=0.02).random(S_0=1e-4).absolute_rms().tolist() == [math.inf]
+    mount = Isolator.physical(**MOUNT).random(psd=ROAD)
+    assert mount.absolute_rms()[0] == pytest.approx(0.080 * mount.answer.absolute_rms()[0])
+    with pytest.raises(Refused, match="the base stands still"):
+        Isolator.physical(**MOUNT).random(psd=(ROAD[0], np.array(ROAD[1]) * 1e4), unit="N^2/Hz").absolute_rms()
+
+
 def test_a_mount_is_answered_in_si_units():
     found = Isolator.physical(**MOUNT).random(psd=ROAD)
     assert found.x_rms[0] == pytest.approx(3.50161569e-3, rel=1e-8)

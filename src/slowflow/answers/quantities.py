@@ -333,6 +333,13 @@ class Quantities(Answer):
             found = answer.largest(si("duration", duration, "s") / scales.sizes["time"])
         return np.asarray(found * scales.sizes["length"])
 
+    def absolute_rms(self) -> Floats:
+        """Root mean square in m of the absolute displacement in random vibration of the base, (motions,)."""
+        answer, scales = self._random()
+        if scales.excitation not in OF_A_BASE:
+            raise Refused("the base stands still under a force: the absolute displacement is x_rms")
+        return np.asarray(answer.absolute_rms() * scales.sizes["length"])
+
     def response_psd(self, f: Numbers) -> Floats:
         """Compute the one-sided density of x in m^2/Hz at frequencies in Hz, of random vibration, (motions, n)."""
         answer, scales = self._random()

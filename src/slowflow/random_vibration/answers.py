@@ -81,6 +81,15 @@ class RandomResponse(Drawn, Table, entry="Stationary"):
         Z, _, _ = linearization.response(at, self.stiffness[:, np.newaxis], self.damping[:, np.newaxis])
         return np.asarray(self.excitation.density(at) / Z)
 
+    def absolute_rms(self) -> Floats:
+        """Root mean square of the absolute displacement of the mass, if the base's acceleration is the excitation.
+
+        That of the linear oscillators, about the mean, shape (motions,); inf for white noise, in which the base itself
+        moves without bound.
+        """
+        linear = zip(self.stiffness.tolist(), self.damping.tolist(), strict=True)
+        return np.sqrt([self.excitation.absolute(k, c) for k, c in linear])
+
     @property
     def by_energy(self) -> ByEnergy:
         """Stochastic averaging of the energy, which is more accurate than linearization; see `ByEnergy`.

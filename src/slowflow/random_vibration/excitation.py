@@ -29,6 +29,10 @@ class White:
         """One-sided, 2 S_0."""
         return np.full(Omega.shape, 2 * self.S_0)
 
+    def absolute(self, k: float, c: float) -> float:
+        """Mean square of u + z, z'' = -w: infinite, from Omega = 0 on."""
+        return math.inf
+
     @property
     def numbers(self) -> dict[str, float]:
         """By which moments are differentiated, by name."""
@@ -72,6 +76,12 @@ class Tabulated:
         of = wide[np.clip(np.searchsorted(points[wide], x, side="right") - 1, 0, None)]
         slope = (y[of + 1] - y[of]) / (points[of + 1] - points[of])
         return np.where((x >= points[0]) & (x <= points[-1]), np.exp(y[of] + slope * (x - points[of])), 0.0)
+
+    def absolute(self, k: float, c: float) -> float:
+        """Mean square of u + z, z'' = -w: k^2 I_0 + c^2 I_2 of G/Omega^4, which is linear in log-log too."""
+        of_z = EXACT.table(np.stack((self.Omega, self.G / self.Omega**4), axis=1))
+        I_0, I_2 = np.exp(np.frombuffer(EXACT.moments(of_z, math.log(k), math.log(c), 0.0, 0.0))[:2])
+        return float(k**2 * I_0 + c**2 * I_2)
 
     #: factors of all densities and of all frequencies
     numbers = MappingProxyType({"psd_G": 1.0, "psd_Omega": 1.0})
