@@ -706,9 +706,8 @@ def test_missing_gradient_under_a_load_is_explained(loaded):
     assert none.F_cr is None and "no answer to differentiate" in none.gradient().message
     bent = Duffing(1.0, 0.5, 0.0, 0.05, load=0.3)
     folds = bent.saddle_nodes(0.2)
-    on_folds = answers.gradient(
-        SteadyStates(folds.Omega, folds.A, folds.kind == "", 0.2, "", bent.off_centre._model, B=folds.B, load=0.3)
-    )
+    made = SteadyStates(folds.Omega, folds.A, folds.kind == "", 0.2, "", bent.off_centre._model, B=folds.B, load=0.3)
+    on_folds = answers.gradient(made, "amplitudes")
     assert "2 of 2: it merges with another answer there" in on_folds.message and np.isnan(on_folds.slopes).all()
 
 

@@ -89,8 +89,8 @@ class Moving:
 
     #: the oscillator, whose `measured` compares an answer with the equation of motion
     _equation: Any = field(default=None, kw_only=True, repr=False)
-    #: of an answer under a load: its gradient as a function of the answer
-    _gradient_of: Callable[[Any], Gradient] | None = field(default=None, kw_only=True, repr=False)
+    #: of an answer under a load: its gradient as a function of the answer and its question
+    _gradient_of: Callable[[Any, str], Gradient] | None = field(default=None, kw_only=True, repr=False)
 
     def _against_motion(self, force: str | None, of: str = "") -> Any:
         """Compare the answer with the equation of motion."""
@@ -100,7 +100,7 @@ class Moving:
 
     def _gradient_from(self: Any, question: str, *numbers: Any) -> Gradient:
         """The gradient: under a load by the function that came with the answer."""
-        return self._gradient_of(self) if self._gradient_of else _gradient(self._model, question, *numbers)
+        return self._gradient_of(self, question) if self._gradient_of else _gradient(self._model, question, *numbers)
 
 
 @dataclass(frozen=True, eq=False)

@@ -426,7 +426,7 @@ class Path:
             motion = follow(forced, theta, float(z[0]), 0.0, theta + (cycle.half_turns + 3) * math.pi, start)
         except ArithmeticError:
             return None
-        return closed_cycle(cycle.system, cycle.half_turns, motion, forced.Omega)
+        return closed_cycle(forced, cycle.half_turns, motion)
 
     def _solve_fixed(self, cycle: Cycle, z: Floats, index: int) -> Point | None:
         """The solution with one unknown kept, along which that rises."""

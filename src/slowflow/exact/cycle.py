@@ -291,9 +291,7 @@ def required_half_turns(half_turns: int) -> int:
     return (3 if half_turns % 2 else 2) * half_turns + 1
 
 
-def closed_cycle(
-    system: EquationOfMotion, half_turns: int, phases: list[Phase], Omega: float
-) -> tuple[Cycle, Floats] | None:
+def closed_cycle(forced: Forced, half_turns: int, phases: list[Phase]) -> tuple[Cycle, Floats] | None:
     """The cycle and trial unknowns that a followed motion suggests: from its highest beginning of a downward slip.
 
     `phases` must span `required_half_turns(half_turns)`, or half_turns + 2 from such a slip on; None where no downward
@@ -315,8 +313,8 @@ def closed_cycle(
         return None
     last = min(images, key=lambda i: abs(phases[i].theta - theta - span))
     cycle_phases = phases[first:last]
-    if sticks_at_jump(system, cycle_phases):
+    if sticks_at_jump(forced.system, cycle_phases):
         return None
     spans = [phase.end - phase.theta for phase in cycle_phases]
-    z = np.array([phases[first].u, theta % (2.0 * math.pi), *spans, Omega])
-    return Cycle(system, signature(cycle_phases), half_turns), z
+    z = np.array([phases[first].u, theta % (2.0 * math.pi), *spans, forced.Omega])
+    return Cycle(forced.system, signature(cycle_phases), half_turns), z

@@ -137,7 +137,7 @@ class Motions:
             raise Refused(text(START, start, F_0, Omega))
         if start.cycle.sticks:
             message = sticking_message(system, start.Omega, F_0, float(start.unknowns[0]))
-            return response.empty_response(F_0, joined(start.message, message))
+            return response.through(F_0, [], False, joined(start.message, message))
         found = response.exact_response(system, F_0, Omega=(low, high), start=start, step=step)
         # an incomplete curve cannot be compared with averaged ones
         message = self._other_curves(found, (low, high)) if found.complete else found.message

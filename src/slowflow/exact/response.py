@@ -149,7 +149,7 @@ def exact_response(
     points = [point.flip() for point in reversed(backward[1:])] + forward
     if lost is not None and len(points) == 1:
         raise lost
-    found = _response(F_0, points, closed)
+    found = through(F_0, points, closed)
     return found if lost is None else replace(found, message=PARTLY + lost.args[0], complete=False)
 
 
@@ -177,13 +177,6 @@ def first_fold(start: SteadyState, towards: float, Omega_range: tuple[float, flo
         return None
     fold = points[-2]
     return ResponsePoint(float(fold.z[-1]), fold.A, False, fold.cycle.stops)
-
-
-def empty_response(F_0: float, message: str) -> Response:
-    """The empty curve of a mass that stays at rest, with the reason."""
-    none = np.empty(0)
-    multipliers, stops = np.empty((0, 2), dtype=np.complex128), np.empty(0, dtype=np.int64)
-    return Response(F_0, none, none, none > 0, multipliers, stops, (), (), False, (), message)
 
 
 def _highest(F_0: float, points: tuple[Point, ...]) -> Point:
@@ -246,10 +239,11 @@ def _jumps_up(F_0: float, fold: Point, Omega: float) -> bool:
     return A > fold.A
 
 
-def _response(F_0: float, points: list[Point], closed: bool) -> Response:
-    multipliers = np.array([point.multipliers for point in points])
+def through(F_0: float, points: list[Point], closed: bool, message: str = "") -> Response:
+    """The curve through points; of a mass that stays at rest through none, with the reason."""
+    multipliers = np.array([point.multipliers for point in points], dtype=np.complex128).reshape(-1, 2)
     # at a fold one multiplier is 1 up to rounding
-    at_fold = np.array([point.role in FOLDS for point in points])
+    at_fold = np.array([point.role in FOLDS for point in points], dtype=bool)
     stable = np.all(np.abs(multipliers) < 1.0, axis=1) & ~at_fold
     folds: list[int] = []
     for i in (np.flatnonzero(at_fold[1:-1]) + 1).tolist():
@@ -264,9 +258,10 @@ def _response(F_0: float, points: list[Point], closed: bool) -> Response:
         A=np.array([point.A for point in points]),
         stable=stable,
         multipliers=multipliers,
-        stops=np.array([point.cycle.stops for point in points]),
+        stops=np.array([point.cycle.stops for point in points], dtype=np.int64),
         folds=tuple(sorted(found, key=lambda fold: fold.Omega)),
         borders=tuple((float(p.z[-1]), p.A) for p in points if p.role in ("border", "corner")),
         closed=closed,
         states=tuple(points),
+        message=message,
     )

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -39,12 +40,14 @@ def answer(
     tau: Any = None,
     after: float | None = None,
     workers: int = 1,
+    mu_s: Any = None,
     *,
     at_rest: AtRest,
     batch: Callable[..., Batch] = Batch,
 ) -> Batch:
     """See `shock_spectrum` and `transient` of `slowflow.answers.table.ManyQuestions`.
 
+    mu_s    -- static friction of each design, None where it is that of sliding
     at_rest -- of one design, from its numbers by name, what has its equilibria
     batch   -- what an answer is
     """
@@ -66,7 +69,7 @@ def answer(
             arcs, begin, allowed = record(times, accelerations), times[..., 0], (np.diff(times) > 0).all(axis=-1)
     if question == "shock_spectrum":
         allowed, last = allowed & (peak > 0), 0.0
-    columns = _solve(designs, at_rest, arcs, begin, allowed, last, workers)
+    columns = _solve(designs, at_rest, arcs, begin, allowed, last, workers, mu_s)
     if question == "shock_spectrum":
         columns["ratio"] = columns["a_max"] / peak
     with np.errstate(all="ignore"):  # what is no design has no pieces
@@ -93,7 +96,7 @@ def _samples(tau: Any, acceleration: Any) -> tuple[Floats, Floats]:
 
 
 def _solve(
-    designs: Designs, at_rest: AtRest, arcs: Floats, begin: Floats, allowed: Any, after: float, workers: int
+    designs: Designs, at_rest: AtRest, arcs: Floats, begin: Floats, allowed: Any, after: float, workers: int, mu_s: Any
 ) -> dict[str, Any]:
     """The columns of "transient" for arcs of shape (..., n, 4), which before that broadcast with the designs."""
     threads = validate.workers(workers)
@@ -104,12 +107,13 @@ def _solve(
     index = np.broadcast_to(np.arange(len(pulses_of)).reshape(arcs.shape[:-2]), shape).ravel()
     begins = np.broadcast_to(begin, shape).ravel()
     finite = allowed & np.isfinite(arcs).all(axis=(-1, -2)) & np.isfinite(begin)
+    static = None if mu_s is None else np.broadcast_to(mu_s, shape).ravel()
     loaded = "load" in designs.values
     known = loaded or np.broadcast_to(designs.detachment(workers=workers).status != Status.INVALID, shape)
     valid = individual = np.flatnonzero(np.broadcast_to(finite, shape) & known)
     status, numbers = np.full(begins.size, Status.INVALID, np.int8), np.full((begins.size, 8), np.nan)
     laws = tuple(recurrences(law) for law in designs.mechanism.pieces)
-    if not (loaded or designs.laws or None in laws):
+    if not (loaded or designs.laws or None in laws or static is not None):
         with np.errstate(all="ignore"):
             centre = designs.mechanism.at_rest(*designs.mechanism.coefficients(*designs.design))[:2]
         # a force that jumps at u = 0, or whose equilibrium there may be unstable, is followed singly, which refuses one
@@ -118,7 +122,8 @@ def _solve(
         individual = valid[~smooth[valid]]
     for k in progress.each(individual.tolist(), individual.size, "designs integrated one by one"):
         one = {name: float(value[k]) for name, value in values.items()}
-        status[k], numbers[k] = _single(designs, at_rest, one, pulses_of[index[k]], float(begins[k]), after)
+        more = {} if static is None else {"mu_s": float(static[k])}
+        status[k], numbers[k] = _single(designs, at_rest, one, pulses_of[index[k]], float(begins[k]), after, **more)
     batched = np.setdiff1d(valid, individual, assume_unique=True)
 
     def solve(part: Any) -> None:
@@ -142,11 +147,11 @@ def _solve(
 
 
 def _single(
-    designs: Designs, at_rest: AtRest, values: dict[str, float], arcs: Floats, begin: float, after: float
+    designs: Designs, at_rest: AtRest, values: dict[str, float], arcs: Floats, begin: float, after: float, **more: Any
 ) -> tuple[Status, tuple[float, ...]]:
     """The status and the numbers of one design, by `transient`, and how many stable equilibria it has."""
     try:
-        system = system_of(designs, values, validate.number("load", values.get("load", 0.0)))
+        system = replace(system_of(designs, values, validate.number("load", values.get("load", 0.0))), **more)
         at, stable = 0.0, 1
         # averages about a mean do not exist for some forces: not needed where the mass rests at u = 0
         if not (system.centred and questions.stable_at_centre(system)):

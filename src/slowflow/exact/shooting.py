@@ -234,14 +234,9 @@ class SteadyState(Answer):
         return motion.sample(Forced(self.cycle.system, self.Omega, self.F_0), phase, theta)
 
     def _state(self, theta: float) -> tuple[float, float]:
-        """(u, v) at one angle of the forcing: as `_at`, in a third of the time, for time stepping."""
-        start, span = float(self.unknowns[1]), self.cycle.half_turns * math.pi
-        turns = math.floor((theta - start) / span)
-        local = theta - turns * span
-        phase = next((one for one in reversed(self.phases) if one.theta <= local), self.phases[0])
-        ((u, v, _),) = self._sample_phase(phase, np.array([local])).tolist()
-        sign = self.cycle.sign if turns % 2 else 1
-        return sign * u, sign * v
+        """(u, v) at one angle of the forcing."""
+        ((u,), (v,)) = self._at(np.array([theta]))
+        return float(u), float(v)
 
     def _at(self, theta: Floats) -> tuple[Floats, Floats]:
         start, span = float(self.unknowns[1]), self.cycle.half_turns * math.pi
@@ -432,7 +427,7 @@ def largest(phases: list[Phase]) -> float:
 def from_start(forced: Forced, theta: float, u: float, half_turns: int, v: float = 0.0) -> SteadyState | None:
     """Newton's iteration with the order of switches that the motion from (theta, u, v) shows."""
     end = theta + required_half_turns(half_turns) * math.pi
-    closed = closed_cycle(forced.system, half_turns, follow(forced, theta, u, v, end), forced.Omega)
+    closed = closed_cycle(forced, half_turns, follow(forced, theta, u, v, end))
     return None if closed is None else _converge_signature(*closed, forced, (half_turns,))
 
 
@@ -456,7 +451,7 @@ def _converge_signature(cycle: Cycle, z: Floats, forced: Forced, tries: tuple[in
             motion = follow(forced, theta, u, 0.0, end)
         except ArithmeticError:
             return None
-        closed = closed_cycle(forced.system, cycle.half_turns, motion, forced.Omega)
+        closed = closed_cycle(forced, cycle.half_turns, motion)
         if closed is None or closed[0].signature in seen:
             return None
         cycle, z = closed

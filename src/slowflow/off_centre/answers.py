@@ -70,26 +70,12 @@ class RestPositions(Table, entry="Rest"):
         return sensitivities.of_rest(Design.of(self._model, self.load), self.u)
 
 
-#: of each answer the question that it is to; of an onset at which more than two folds are born, and of what is on a
-#: jump of the force there is no gradient
-_QUESTIONS: Mapping[str, str] = {
-    "SteadyStates": "amplitudes",
-    "FrequencyResponse": "amplitudes",
-    "SaddleNodes": "saddle_nodes",
-    "Detachment": "detachment",
-    "Peak": "peak",
-    "SaddleNodeOnset": "saddle_node_onset",
-    "Isolation": "isolation",
-}
-
-
-def gradient(found: Any) -> Gradient:
-    """The exact derivatives of an answer with respect to the parameters, the load and the arguments of the query.
+def gradient(found: Any, question: str) -> Gradient:
+    """The exact derivatives of the answer to a question by the parameters, the load and the arguments of the query.
 
     Raises NotAvailable if the derivatives of the force with respect to the design are not known, and for a peak at a
     turning point of the mean.
     """
-    question = _QUESTIONS[type(found).__name__]
     names = NUMBERS[question]
     if question == "peak":
         if found._turns:

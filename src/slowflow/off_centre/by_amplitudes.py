@@ -21,7 +21,6 @@ from slowflow.off_centre.flow import Flow, Slow
 from slowflow.off_centre.means import Steps
 from slowflow.off_centre.solution_sheets import FARTHEST, TOO_FAR
 from slowflow.support.errors import OutOfRange
-from slowflow_kernels import off_centre
 from slowflow_kernels.conventions import FoldKind
 
 #: octaves of amplitudes, at how many in each the mean is balanced, and how often F is looked at between two of these
@@ -69,14 +68,7 @@ def folds(steps: Steps, flow: Flow, F_0: Floats) -> Found | None:
     left = np.searchsorted(A, near) - 1
     R = A[:, np.newaxis] * Omega**2 + h[:, np.newaxis]
     R = R[left, root] + (R[left + 1, root] - R[left, root]) * (near - A[left]) / (A[left + 1] - A[left])
-    m, zeta, eta, d = flow.damping
-    known = *flow.forcing(F_0[of]), m, eta, zeta, d, steps.load
-
-    def equations(x: Floats) -> Any:
-        means = steps.at(x[0], x[1], 2)
-        return off_centre.fold(x[2], x[0], *known, *means.c, *means.s)
-
-    x, there = _solved(equations, np.stack((near, mean(near), R)))
+    x, there = _solved(Slow(steps, flow, F_0[of]).fold, np.stack((near, mean(near), R)))
     (A, B, R), of = x[:, there], of[there]
     _, averages = steps.averaged(A, B)
     Omega = np.sqrt((R - averages[0]) / A)

@@ -23,7 +23,6 @@ from slowflow.core.model import Floats
 from slowflow.off_centre.boxes import OnBoxes, Solutions, solve
 from slowflow.off_centre.flow import Flow, Slow
 from slowflow.off_centre.turning_points import EDGES, Charts
-from slowflow_kernels import off_centre
 
 #: what is known of one unknown in a row of `OnBoxes`
 AT, ON, SLOPE = slice(0, 2), slice(6, 8), slice(12, 14)
@@ -55,13 +54,7 @@ def folds(charts: Charts, flow: Flow, F_0: Floats) -> Equations:
         known = *flow.forcing(F_0[number]), flow.damping, charts.has_centre
         return np.asarray(SOLVER.ended_fold(*charts.operands(low, high, chart), *known))
 
-    def by_motion(z: Floats, number: Ints) -> Any:
-        means = charts.steps.at(z[0], z[1], 2)
-        m, zeta, eta, d = flow.damping
-        known = *flow.forcing(F_0[number]), m, eta, zeta, d, charts.steps.load
-        return off_centre.fold(z[2], z[0], *known, *means.c, *means.s)
-
-    return on, by_motion
+    return on, lambda z, number: Slow(charts.steps, flow, F_0[number]).fold(z)
 
 
 def refined(by_motion: ByMotion, z: Floats, number: Ints, kept: Flags) -> Floats:

@@ -186,6 +186,12 @@ class Slow(NamedTuple):
         arguments = flow.force(self.F_0, Omega), flow.sine(Omega, x[0]), flow.sine_A(Omega, x[0]), self.steps.load
         return off_centre.state(Omega, x[0], *arguments, *means.c, *means.s)
 
+    def fold(self, x: Floats) -> Any:
+        """What vanishes at folds x (3, n), by A, B and R = A Omega^2 + h, and its slopes by these."""
+        means, (m, zeta, eta, d) = self.steps.at(x[0], x[1], 2), self.flow.damping
+        arguments = *self.flow.forcing(self.F_0), m, eta, zeta, d, self.steps.load
+        return off_centre.fold(x[2], x[0], *arguments, *means.c, *means.s)
+
     def stability(self, Omega: Any, A: Floats, B: Floats) -> tuple[Flags, Floats]:
         """Where states are stable, those at rest too, and h there."""
         means, averages = self.steps.averaged(A, B)

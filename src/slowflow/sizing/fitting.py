@@ -546,20 +546,25 @@ def _nearest(
     return np.where(np.isfinite(found), found, 0.0)
 
 
-def _in_time(subject: Subject, rows: Mapping[str, Any]) -> _Measured:
-    """Displacements of a free decay at times, or forces of a loop at displacements."""
-    units = {"x": "m", "t": "s", "F": "N"}
+def _samples(rows: Mapping[str, Any], least: int, *, in_si: bool = True) -> dict[str, Floats]:
+    """Those of x, F and t that are given, rows of one length, of at least so many samples."""
     known = {
-        name: validate.finite_array(name, si(name, row, units[name]) if subject.mount else row)
-        for name, row in rows.items()
-        if row is not None
+        name: validate.finite_array(name, si(name, rows[name], unit) if in_si else rows[name])
+        for name, unit in (("x", "m"), ("F", "N"), ("t", "s"))
+        if rows[name] is not None
     }
     if len(known) < 2:
         raise Refused("x needs t, the times of a free decay, or F, the forces of a loop")
-    if any(row.shape != (known["x"].size,) for row in known.values()) or known["x"].size < LEAST_SAMPLES:
-        raise Refused(f"{', '.join(known)} must be rows of one length, of at least {LEAST_SAMPLES} samples")
     if "t" in known and (np.diff(known["t"]) <= 0).any():
         raise Refused("t is not allowed: the times must be ascending")
+    if any(row.shape != (known["x"].size,) for row in known.values()) or known["x"].size < least:
+        raise Refused(f"{', '.join(known)} must be rows of one length, of at least {least} samples")
+    return known
+
+
+def _in_time(subject: Subject, rows: Mapping[str, Any]) -> _Measured:
+    """Displacements of a free decay at times, or forces of a loop at displacements."""
+    known = _samples(rows, LEAST_SAMPLES, in_si=subject.mount is not None)
     validate.is_in_time("a fit to motions in time", subject.laws)
     return _loop(subject, **known) if "F" in known else _decay(subject, **known)
 

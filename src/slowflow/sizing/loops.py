@@ -12,12 +12,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from slowflow.answers.quantities import SHEET, in_shown, si
-from slowflow.core import validate
+from slowflow.answers.quantities import SHEET, in_shown
 from slowflow.core.mechanism import Floats
 from slowflow.oscillators.isolator import Duffing
 from slowflow.oscillators.physical import Physical
-from slowflow.sizing.fitting import CONFIDENCE, TURNS, Numbers, _velocity
+from slowflow.sizing.fitting import CONFIDENCE, TURNS, Numbers, _samples, _velocity
 from slowflow.support.errors import NotSettled, Refused
 
 if TYPE_CHECKING:
@@ -116,14 +115,8 @@ def from_loop(x: Any, F: Any, *, t: Any = None) -> Loop:
     ValueError, ArithmeticError
         For invalid arguments, and for a loop with the wrong direction; if it does not determine the parameters.
     """
-    x, F = (validate.finite_array(name, si(name, value, unit)) for name, value, unit in (("x", x, "m"), ("F", F, "N")))
-    rows = {"x": x, "F": F}
-    if t is not None:
-        rows["t"] = validate.finite_array("t", si("t", t, "s"))
-        if (np.diff(rows["t"]) <= 0).any():
-            raise Refused("t is not allowed: the times must be ascending")
-    if any(row.shape != (x.size,) for row in rows.values()) or x.size < LEAST_SAMPLES:
-        raise Refused(f"{', '.join(rows)} must be rows of one length, of at least {LEAST_SAMPLES} samples")
+    rows = _samples({"x": x, "F": F, "t": t}, LEAST_SAMPLES)
+    x, F = rows["x"], rows["F"]
     v = _velocity(x) / (1.0 if t is None else _velocity(rows["t"]))
     goes = np.abs(v) > TURNS * np.abs(v).max()
     columns = {

@@ -8,7 +8,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
-from types import MappingProxyType, SimpleNamespace
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
@@ -289,7 +289,7 @@ class Subject:
         units: dict[str, Any] = dict.fromkeys((*UNITS, ""), 1.0)
         static, kinetic = numbers.pop(STATIC if self.mount else "mu_s", None), numbers[self.name("mu")]
         if self.mount is not None:
-            # a load that is m moves nothing from the centre, and batches do not know static friction
+            # a load that is m moves nothing from the centre, and of batches only shocks know static friction
             without = (STATIC, *(["load"] if not self.loaded else []))
             others = {name: None for name in without if name in self.mount.given}
             # not by `many`, which warns: designs on trial may be far from the mount
@@ -314,8 +314,7 @@ class _Batch:
     def __init__(self, designs: Any, mu_s: Any, F_0: Any, Omega: Any, pulse: Any, table: Any) -> None:
         self.designs, self.F_0, self.Omega, self.pulse, self.table = designs, F_0, Omega, pulse, table
         self.mu = np.asarray(designs.values["mu"], dtype=float)
-        self.holds = self.mu if mu_s is None else mu_s
-        self.sticks_more = mu_s is not None
+        self.mu_s, self.holds = mu_s, self.mu if mu_s is None else mu_s
         self.cache: dict[Callable[..., Any], Any] = {}
 
     def _ask(self, question: Callable[..., Any], *arguments: Any, **named: Any) -> Any:
@@ -373,7 +372,8 @@ class _Batch:
             states = self._ask(self.designs.amplitudes, Omega=self.Omega, F_0=self.F_0)
             return _of_the_largest(states, name)
         if name in IN_A_SHOCK:
-            shock = self._ask(self._shock)
+            peak, span = self.pulse
+            shock = self._ask(self.designs._ask, "shock_spectrum", acceleration=peak, duration=span, mu_s=self.mu_s)
             if name == "of_cr_shock":
                 with np.errstate(all="ignore"):
                     return np.asarray(self.designs._flow.first_end / shock.A)
@@ -387,27 +387,6 @@ class _Batch:
                 bounded = np.where(peaks.status == Status.NONE, full(self.designs, self.F_0), bounded)
             return np.where(peaks.status == Status.STICKS, 0.0, bounded)
         return first_jump(self._ask(self.designs.saddle_nodes, self.F_0), name == "jump_up")
-
-    def _shock(self) -> Any:
-        """.A and .a_max in the half sine: of static friction, which batches do not know, by single questions."""
-        peak, span = self.pulse
-        if not self.sticks_more:
-            return self.designs.shock_spectrum(acceleration=peak, duration=span)
-        shape = np.shape(self.holds)
-        columns = {**self.designs.values, "mu_s": self.holds, "peak": peak, "span": span}
-        rows = zip(*(np.broadcast_to(value, shape).ravel().tolist() for value in columns.values()), strict=True)
-        found = np.array([self._shocked(**dict(zip(columns, row, strict=True))) for row in rows])
-        return SimpleNamespace(**dict(zip(("A", "a_max"), found.reshape(-1, 2).T.reshape(2, *shape), strict=True)))
-
-    def _shocked(self, peak: float, span: float, **numbers: float) -> tuple[float, float]:
-        """Of one design, NaN for what is none and for a motion that escapes."""
-        try:
-            laws: dict[str, Any] = {**numbers, "contact": self.designs.contact}
-            one = Oscillator(self.designs.mechanism, excitation=self.designs.excitation, **laws)
-            shock = one.shock_spectrum(acceleration=peak, duration=span)
-        except (ValueError, ArithmeticError):
-            return math.nan, math.nan
-        return float(shock.A[0]), float(shock.a_max[0])
 
     def _in_a_spectrum(self, name: str) -> Floats:
         """One of `IN_A_SPECTRUM`: the largest of all rows, or how many; NaN where one of these is not known."""

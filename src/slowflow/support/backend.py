@@ -41,37 +41,34 @@ _BY_NAME = Parameter.POSITIONAL_OR_KEYWORD
 
 def compiled(module: Mapping[str, Any], ufuncs: Sequence[np.ufunc]) -> dict[str, Callable[..., Any]]:
     """A module's kernels by their ufuncs: with name, arguments and docstring as on NumPy, which is `__wrapped__`."""
-    forms = {"Floats": coefficients_of, "tuple[Any]": in_tuple}
     found = {}
     for ufunc in ufuncs:
         if (kernel := module.get(ufunc.__name__)) is None:  # by `from_c`
             continue
         names = kernel.__code__.co_varnames[: kernel.__code__.co_argcount]
         called = functools.wraps(kernel)(_called(names, ufunc))
-        form = forms.get(kernel.__annotations__["return"])
-        found[ufunc.__name__] = form(called) if form else called
+        form = FORMS.get(kernel.__annotations__["return"])
+        found[ufunc.__name__] = _formed(called, form) if form else called
     return found
 
 
-def coefficients_of(kernel: Callable[..., Any]) -> Callable[..., npt.NDArray[np.float64]]:
-    """A compiled kernel's outputs, which are a polynomial's coefficients, along a new first axis."""
+def _formed(kernel: Callable[..., Any], form: Callable[[Any], Any]) -> Callable[..., Any]:
+    """A compiled kernel whose outputs have a form."""
 
     @functools.wraps(kernel)
-    def stack(*arguments: Any, **named: Any) -> npt.NDArray[np.float64]:
-        values = kernel(*arguments, **named)
-        return np.stack(values if isinstance(values, tuple) else (values,))
+    def formed(*arguments: Any, **named: Any) -> Any:
+        return form(kernel(*arguments, **named))
 
-    return stack
+    return formed
 
 
-def in_tuple(kernel: Callable[..., Any]) -> Callable[..., tuple[Any]]:
-    """The one output of a compiled kernel as a tuple."""
+def _stacked(values: Any) -> npt.NDArray[np.float64]:
+    """Outputs that are a polynomial's coefficients, along a new first axis."""
+    return np.stack(values if isinstance(values, tuple) else (values,))
 
-    @functools.wraps(kernel)
-    def one(*arguments: Any, **named: Any) -> tuple[Any]:
-        return (kernel(*arguments, **named),)
 
-    return one
+#: of outputs, by what a kernel returns
+FORMS: Mapping[str, Callable[[Any], Any]] = {"Floats": _stacked, "tuple[Any]": lambda value: (value,)}
 
 
 def from_c(module: str, names: Mapping[str, str], stacked: Sequence[str] = ()) -> dict[str, Callable[..., Any]]:
@@ -91,7 +88,7 @@ def from_c(module: str, names: Mapping[str, str], stacked: Sequence[str] = ()) -
         called.__annotations__ = dict.fromkeys(arguments.split(), "ArrayLike") | {"return": returns}
         of_type = [Parameter(name, _BY_NAME, annotation="ArrayLike") for name in arguments.split()]
         called.__signature__ = Signature(of_type, return_annotation=returns)  # type: ignore[attr-defined]
-        found[kernel] = coefficients_of(called) if kernel in stacked else called
+        found[kernel] = _formed(called, _stacked) if kernel in stacked else called
     return found
 
 
