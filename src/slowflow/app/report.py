@@ -18,7 +18,7 @@ import numpy as np
 
 import slowflow
 from slowflow.answers import files, page, pictures
-from slowflow.answers.answer import Answer, head, shown
+from slowflow.answers.answer import Answer, shown
 from slowflow.answers.quantities import DATA_SHEET, SHEET, SHOWN, UNITS, in_shown
 from slowflow.answers.results import Remark
 from slowflow.answers.table import COLUMNS, IN_TIME
@@ -356,12 +356,16 @@ class Report:
         queries = self._cases("transient")
         found = [self.scene.answer(one) for one in queries]
         if found:
-            pulses = [{head(name, one.units()): value for name, value in one.numbers().items()} for one in queries]
+            pulses = [one.numbers() for one in queries]
             more = (*UNSHOWN, "x_cr", "u_cr", "t_A", "tau_A", "t_a", "tau_a", "t_detaches", "tau_detaches")
             stroke = _one(found[0], "x_cr", "u_cr")
             remark = f'; "detaches" is "yes" if the stroke, {stroke}, is exceeded' if stroke else ""
             yield _table(
-                f"Shocks of the base, by the equation of motion{remark}", *found, leading=pulses, left_out=more
+                f"Shocks of the base, by the equation of motion{remark}",
+                *found,
+                leading=pulses,
+                units=queries[0].units(),
+                left_out=more,
             )
             worst = max(range(len(found)), key=lambda k: float(found[k].columns()["A"][0]))
             ax = pictures.history(page.axes(), found[worst], "below")
@@ -606,22 +610,23 @@ def _error(relative: float) -> str:
 
 
 def _table(
-    caption: str, *answers: Answer, leading: Sequence[Mapping[str, Any]] = (), left_out: Sequence[str] = UNSHOWN
+    caption: str,
+    *answers: Answer,
+    leading: Sequence[Mapping[str, Any]] = (),
+    units: Mapping[str, str] = {},
+    left_out: Sequence[str] = UNSHOWN,
 ) -> str:
     """Columns of answers to one question, one below the other, and their messages.
 
-    leading  -- numbers to put before the rows of each, by default its forcing
+    leading  -- numbers to put before the rows of each, by default its forcing, and units of these
     left_out -- columns that are not shown
     """
     columns = [answer.columns() for answer in answers]
-    units = answers[0].units_of_columns()
+    units = {**answers[0].units_of_columns(), **units}
     kept = [name for name in columns[0] if name not in left_out]
     kept.sort(key=lambda name: name not in pictures.AMPLITUDES or answers[0].has_rows)  # what it is asked at first
     before = leading or [_forcing_of(answer, kept) for answer in answers]
-    # what a pulse is has its unit in its name
-    heads = [page.term(*_with_unit(name)) for name in before[0]] if leading else []
-    heads = heads or [page.term(name, units.get(name, "")) for name in before[0]]
-    heads += [page.term(name, units.get(name, "")) for name in kept]
+    heads = [page.term(name, units.get(name, "")) for name in (*before[0], *kept)]
     cells = [
         (at, [_cell(answers[0], name, value) for name, value in zip(kept, row, strict=True)])
         for found, at in zip(columns, before, strict=True)
@@ -658,16 +663,9 @@ def _notes(answers: Sequence[Answer], before: Sequence[Mapping[str, Any]], units
     return "".join(f"<p>{page.inline(at + text)}.</p>" for text, at in of.items())
 
 
-def _with_unit(name: str) -> tuple[str, str]:
-    """Of a name that has its unit in it: both."""
-    name, _, unit = name.partition("/")
-    return name, unit.removeprefix("(").removesuffix(")")
-
-
 def _at(name: str, value: Any, units: Mapping[str, str]) -> str:
     """A description of an argument of an answer."""
-    name, unit = _with_unit(head(name, units))
-    return f"{name} = {page.cell(value)} {unit.replace('^2', '²')}".rstrip()
+    return f"{name} = {page.cell(value)} {units.get(name, '').replace('^2', '²')}".rstrip()
 
 
 def _forcing_of(answer: Answer, kept: Iterable[str]) -> dict[str, Any]:

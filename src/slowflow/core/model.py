@@ -258,7 +258,7 @@ class SlowFlow:
 
     def _damping(self, A: Any, orders: int) -> tuple[Any, ...]:
         """What kernels of `curve` take between A and h: m, zeta, or I_0, zeta, slopes below `orders`, then d, d_3."""
-        if not self.laws.any:
+        if self.curve is not dissipation:
             return self.m, self.zeta
         return *self.at_rest(A)[:orders], *self.viscous(A)[:orders], self.d, self.d_3
 

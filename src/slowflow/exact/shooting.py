@@ -534,7 +534,6 @@ def converge(forced: Forced, theta: float, u: float, v: float, tries: tuple[int,
 def _by_time_stepping(forced: Forced, theta: float, state: tuple[float, float], tries: tuple[int, ...]) -> SteadyState:
     """The motion that the one from (theta, u, v) converges to."""
     end = converge(forced, theta, *state, tries, MOST_TURNS)
-    divergence = _divergence(forced, theta, end)
     if end.found is not None:
         return end.found
     if end.free_mean is not None:
@@ -545,7 +544,7 @@ def _by_time_stepping(forced: Forced, theta: float, state: tuple[float, float], 
         raise NotPeriodic(STICKS_AT_JUMP.format(Omega=forced.Omega, F_0=forced.F_0, A=largest(end.phases)))
     if at_rest(end.phases):
         raise NotPeriodic(COMES_TO_REST.format(Omega=forced.Omega, F_0=forced.F_0, u=state[0]))
-    if divergence >= DIVERGENCE:
+    if (divergence := _divergence(forced, theta, end)) >= DIVERGENCE:
         rate = divergence ** (1.0 / DIVERGENCE_TURNS)
         raise NotPeriodic(
             CHAOTIC.format(Omega=forced.Omega, F_0=forced.F_0, turns=end.turns + DIVERGENCE_TURNS, rate=rate)
@@ -562,13 +561,10 @@ def _by_time_stepping(forced: Forced, theta: float, state: tuple[float, float], 
 
 
 def _divergence(forced: Forced, theta: float, end: Limit) -> float:
-    """The factor by which neighbouring motions diverge in `DIVERGENCE_TURNS` turns; 1 if time stepping converged.
+    """The factor by which neighbouring motions diverge in `DIVERGENCE_TURNS` turns.
 
     The neighbour is rescaled to its first distance after each turn, as for the largest Lyapunov exponent.
     """
-    final = end.found is not None or end.free_mean is not None or end.repeats
-    if final or at_rest(end.phases):
-        return 1.0
     divergence, near = 1.0, 1e-7 * largest(end.phases)
     here, neighbour = (end.u, end.v), (end.u + near, end.v)
     for _ in range(DIVERGENCE_TURNS):

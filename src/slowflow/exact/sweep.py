@@ -19,6 +19,8 @@ from slowflow.exact.shooting import SteadyState, at_rest, continue_stepping, con
 from slowflow.support.errors import Refused
 from slowflow.support.text import text
 
+#: periods of the forcing at one frequency, at most
+MOST_TURNS = 2000
 #: largest step along a branch that is followed from frequency to frequency: it is bent as its tangents say
 STEP = 0.1
 #: of its amplitude, by which a motion that Newton's iteration found twice may differ
@@ -65,13 +67,10 @@ def sweep(
     *,
     Omega: Sequence[float] | Floats,
     F_0: float,
-    most_turns: int = 2000,
     u_0: float = 0.0,
     v_0: float = 0.0,
 ) -> Sweep:
     """Follow the motion from (u_0, v_0) through the frequencies, keeping state and phase of the forcing at each step.
-
-    most_turns -- largest number of periods of the forcing at one frequency
 
     At each frequency the motion is followed until it is shown to tend to a periodic one, from which the next frequency
     continues. A jump is a change of branch. Raises ValueError for parameters out of range, or if the
@@ -93,11 +92,11 @@ def sweep(
         for at in Omega.tolist():
             with limited():
                 forced = Forced(system, at, F_0)
-                end = converge(forced, 0.0, u, v, tries, most_turns)
+                end = converge(forced, 0.0, u, v, tries, MOST_TURNS)
                 if end.free_mean is not None:
-                    end = continue_stepping(forced, 0.0, end, most_turns)
+                    end = continue_stepping(forced, 0.0, end, MOST_TURNS)
             u, v, found = end.u, end.v, end.found
-            drifts = end.free_mean is not None and end.turns < most_turns
+            drifts = end.free_mean is not None and end.turns < MOST_TURNS
             steady = found is not None or end.repeats or at_rest(end.phases) or drifts
             seen = (largest(end.phases), stops(end.phases)) if found is None else (found.A, found.stops)
             visited.append((*seen, end.turns, steady, found))

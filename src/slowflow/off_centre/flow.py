@@ -41,10 +41,6 @@ class Flow(SlowFlow):
 
     # ==== At points ===================================================================================================
 
-    def _damping(self, A: Any, orders: int) -> tuple[Any, ...]:
-        """See `SlowFlow`."""
-        return *(self.m + self.laws.eta * A, self.laws.eta, 0.0)[:orders], *(self.zeta, 0.0, 0.0)[:orders], self.d, 0.0
-
     def sine_A(self, Omega: Any, A: Any) -> Any:
         """The slope of the sine balance (23) by A."""
         return dissipation.I_A(Omega, A, self.laws.eta, self.zeta, 0.0, self.d, 0.0)
@@ -67,10 +63,6 @@ class Flow(SlowFlow):
         if not self.laws.any:
             return slow_flow.limit_envelope(Omega, force, self.m, self.zeta)
         return dissipation.limit_envelope(Omega, force, self.m, self.zeta, self.laws.eta, self.d)
-
-    def sticks(self, F_0: float) -> bool:
-        """Whether the mass rests at every frequency (27)."""
-        return bool(F_0 <= self.m and not self.inertial)
 
     def moves_from(self, F_0: float) -> float:
         """The frequency from which on friction does not hold the mass."""

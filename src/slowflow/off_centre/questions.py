@@ -50,6 +50,8 @@ TOO_SMALL = Sentence(
     "offset motions are unresolved: lengths of the force, {A[0]:.3g} at most, are too small against "
     "{A[1]:.3g}; in smaller units of length they may be resolved"
 )
+#: of no fold: A, B and R, and on which kind of corner
+NO_FOLDS = np.empty((3, 0)), np.empty(0, dtype=str)
 #: answers that are kept of one oscillator
 KEPT = 64
 #: motions whose A and B differ by less beside A are one, found twice
@@ -226,14 +228,15 @@ class OffCentre(Unchanging, ComposedQuestions):
     def _amplitudes(self, at: Floats, F_0: float) -> SteadyStates:
         self._check_answered("amplitudes")
         x, of, undecided = np.empty((2, 0)), np.empty(0, dtype=np.intp), np.empty(0, dtype=np.intp)
-        sticks = np.flatnonzero(self._flow.force(F_0, at) <= self._model.m)
+        force = self._flow.force(F_0, at)
+        sticks, moving = np.flatnonzero(force <= self._model.m), np.flatnonzero(force > self._model.m)
+        exactly = _Notes(messages.moves_exactly(self._model, force))
         equilibria = self._stable_equilibria() if sticks.size else of
         static = np.stack((np.zeros(sticks.size * equilibria.size), np.tile(equilibria, sticks.size)))
-        if self._flow.sticks(F_0) or not at.size:
-            notes = _Notes(messages.STICKS.format(F_0, self._model.m)) if self._flow.sticks(F_0) else _Notes()
-            notes = notes.combine(_Notes(self._moves_exactly(F_0, at)))
+        if self._model.sticks(F_0) or not at.size:
+            notes = _Notes(messages.STICKS.format(F_0, self._model.m)) if self._model.sticks(F_0) else _Notes()
+            notes = notes.combine(exactly)
             return self._states(at, static[0], static[1], F_0, notes, np.empty(0), np.repeat(sticks, equilibria.size))
-        moving = np.flatnonzero(self._flow.force(F_0, at) > self._model.m)
         if moving.size and not self._keeps_centre:
             x, of, undecided = self._complete.states(at[moving], F_0)
             of, undecided = moving[of], moving[undecided]
@@ -250,8 +253,7 @@ class OffCentre(Unchanging, ComposedQuestions):
         notes = _Notes(_listed(UNDECIDED, missing), Remark.UNDECIDED) if missing.size else _Notes()
         if self._complete.has_centre:
             notes = notes.combine(self._of_cut(centred, F_0, float(at.min())))
-        notes = notes.combine(_Notes(messages.sticks_below(self._model, F_0, at)))
-        notes = notes.combine(_Notes(self._moves_exactly(F_0, at)))
+        notes = notes.combine(_Notes(messages.sticks_below(self._model, F_0, at))).combine(exactly)
         return self._states(at, x[0, order], x[1, order], F_0, notes, missing, of[order])
 
     def _stable_equilibria(self) -> Floats:
@@ -261,10 +263,6 @@ class OffCentre(Unchanging, ComposedQuestions):
         except ArithmeticError:
             return np.zeros(1)
         return at_rest.u[at_rest.stable]
-
-    def _moves_exactly(self, F_0: float, at: Floats) -> str:
-        """What is said of a mass at rest in averaging only."""
-        return messages.moves_exactly(self._model, self._flow.force(F_0, at))
 
     @property
     def _keeps_centre(self) -> bool:
@@ -280,7 +278,7 @@ class OffCentre(Unchanging, ComposedQuestions):
         # are shown to be on one arc
         self._check_answered("frequency_response")
         low, high = window
-        if self._flow.sticks(F_0):
+        if self._model.sticks(F_0):
             return self._response(Curves.none(), F_0, _Notes(messages.STICKS.format(F_0, self._model.m)))
         found, notes = Curves.none(), _Notes()
         if self._flow.inertial:
@@ -317,19 +315,16 @@ class OffCentre(Unchanging, ComposedQuestions):
     @_kept
     def _saddle_nodes(self, F_0: float) -> SaddleNodes:
         self._check_answered("saddle_nodes")
-        if self._flow.sticks(F_0):
-            return self._folds(
-                np.empty((3, 0)), np.empty(0, dtype=str), F_0, _Notes(messages.STICKS.format(F_0, self._model.m))
-            )
+        if self._model.sticks(F_0):
+            return self._folds(*NO_FOLDS, F_0, _Notes(messages.STICKS.format(F_0, self._model.m)))
         centred = Averaged(self._model).saddle_nodes(F_0) if self._complete.has_centre else None
         if centred is not None and self._keeps_centre:
-            notes = _Notes(centred.message, centred.remarks)
-            return self._folds(np.empty((3, 0)), np.empty(0, dtype=str), F_0, notes, centred)
+            return self._folds(*NO_FOLDS, F_0, _Notes(centred.message, centred.remarks), centred)
         return self._folds_of(self._complete.folds(np.array([F_0])), centred, F_0)
 
     def _folds_at(self, F_0: list[float]) -> list[SaddleNodes]:
         """`saddle_nodes` at several forcings together."""
-        several = [one for one in F_0 if not self._flow.sticks(one) and ("_saddle_nodes", one) not in self._known]
+        several = [one for one in F_0 if not self._model.sticks(one) and ("_saddle_nodes", one) not in self._known]
         if len(several) > 1 and not self._complete.has_centre:
             self._check_answered("saddle_nodes")
             found = self._complete.folds(np.array(several))
@@ -376,7 +371,7 @@ class OffCentre(Unchanging, ComposedQuestions):
     @_kept
     def _peak(self, F_0: float) -> Peak:
         self._check_answered("peak")
-        if self._flow.sticks(F_0):
+        if self._model.sticks(F_0):
             return self._made(Peak, None, None, F_0, messages.STICKS.format(F_0, self._model.m))
         if self._keeps_centre:
             centred = Averaged(self._model).peak(F_0)
@@ -444,9 +439,8 @@ class OffCentre(Unchanging, ComposedQuestions):
     def _isolation(self, F_0: float, level_dB: float) -> checks.Isolation:
         F_0, level = validate.number("F_0", F_0, above=0.0), isolating.as_level(level_dB)
         self._check_answered("isolation")
-        extra: dict[str, Any] = {"load": self.load, "_model": self._model, "_gradient_of": answers.gradient}
-        made: Callable[..., checks.Isolation] = partial(checks.Isolation, level_dB=level.dB, **extra)
-        sticks = messages.STICKS.format(F_0, self._model.m) if self._flow.sticks(F_0) else ""
+        made: Callable[..., checks.Isolation] = partial(self._made, checks.Isolation, level_dB=level.dB)
+        sticks = messages.STICKS.format(F_0, self._model.m) if self._model.sticks(F_0) else ""
         floor = Averaged(self._model).transmissibility_floor(F_0)
         if why := sticks or isolating.passes_on(self._model, floor, level):
             return made(None, None, False, F_0, why, Remark(0))

@@ -10,7 +10,6 @@ import contextlib
 import warnings
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from functools import partial
 from typing import TYPE_CHECKING, Any, Unpack
 
 import numpy as np
@@ -459,10 +458,31 @@ def _states(subject: Subject, conditions: Mapping[str, Any], name: str, values: 
     points[name] = validate.finite_array(name, values, positive=name == "A")
     shape = validate.common_shape(points)
     at, forcing, measured = (np.broadcast_to(array, shape).ravel() for array in points.values())
-    what = f"measured minus fitted {name}"
-    names = ("f/Hz", f"{what}/m" if name == "A" else what) if subject.mount else (next(iter(conditions)), what)
-    of_designs = partial(_nearest, subject, at=at, forcing=forcing, name=name, measured=measured)
+
+    def of_designs(values: Mapping[str, Any], by_doubles: bool) -> Floats:
+        """Of the stable state nearest to each measured one, 0 where there is none or the mass rests."""
+        designs, _, units = subject.designs(values)
+        ask = designs._by_doubles if by_doubles else designs._ask
+        F_0, Omega = forcing / units[subject.amplitude], at / units["frequency"]
+        states = ask("amplitudes", max_count=MAX_COUNT, F_0=F_0, Omega=Omega)
+        if name == "A":
+            there = states.A * np.asarray(units["length"])[..., np.newaxis]
+        else:
+            # as many whole cycles away as the measured one
+            there = states.phi + 2 * np.pi * np.round((measured[:, np.newaxis] - states.phi) / (2 * np.pi))
+        there = np.where((states.stable == 1) & (states.A > 0), there, np.inf)
+        nearest = np.argmin(np.abs(there - measured[:, np.newaxis]), axis=-1)[..., np.newaxis]
+        found = np.take_along_axis(there, nearest, -1)[..., 0]
+        return np.where(np.isfinite(found), found, 0.0)
+
+    names = _names(subject, subject.names[1], name, "Hz", "m" if name == "A" else "")
     return _Measured(measured, at, of_designs, names)
+
+
+def _names(subject: Subject, at: str, what: str, *units: str) -> tuple[str, str]:
+    """Names of where and of what was measured, over their units if it was of a mount."""
+    over, over_left = (f"/{unit}" if unit and subject.mount else "" for unit in units)
+    return f"{at}{over}", f"measured minus fitted {what}{over_left}"
 
 
 def _jumps(subject: Subject, forcing: Any, up: Any, down: Any) -> _Measured:
@@ -489,8 +509,7 @@ def _jumps(subject: Subject, forcing: Any, up: Any, down: Any) -> _Measured:
         found = found * np.asarray(units["frequency"])[..., np.newaxis]
         return np.asarray(np.nan_to_num(found)[..., there])
 
-    units = (f"/{SI[subject.amplitude]}", "/Hz") if subject.mount else ("", "")
-    names = (f"{force}{units[0]}", f"measured minus fitted {frequency}{units[1]}")
+    names = _names(subject, force, frequency, SI[subject.amplitude], "Hz")
     return _Measured(measured[there], np.broadcast_to(forces, there.shape)[there], of_designs, names)
 
 
@@ -511,39 +530,7 @@ def _backbone(subject: Subject, amplitudes: Any, frequencies: Any) -> _Measured:
         found = flow.flow.backbone(at, flow.averaged(at)[0]) * units["frequency"]
         return np.asarray(np.nan_to_num(found))
 
-    frequency = subject.names[1]
-    names = (
-        ("A/m", f"measured minus fitted {frequency}/Hz")
-        if subject.mount
-        else ("A", f"measured minus fitted {frequency}")
-    )
-    return _Measured(measured, A, of_designs, names)
-
-
-def _nearest(
-    subject: Subject,
-    values: Mapping[str, Any],
-    by_doubles: bool,
-    *,
-    at: Floats,
-    forcing: Floats,
-    name: str,
-    measured: Floats,
-) -> Floats:
-    """A or phi of the stable state of designs nearest to each measured one, 0 where there is none or the mass rests."""
-    designs, _, units = subject.designs(values)
-    Omega, F_0 = at / units["frequency"], forcing / units[subject.amplitude]
-    ask = designs._by_doubles if by_doubles else designs._ask
-    states = ask("amplitudes", max_count=MAX_COUNT, F_0=F_0, Omega=Omega)
-    if name == "A":
-        there = states.A * np.asarray(units["length"])[..., np.newaxis]
-    else:
-        # as many whole cycles away as the measured one
-        there = states.phi + 2 * np.pi * np.round((measured[:, np.newaxis] - states.phi) / (2 * np.pi))
-    there = np.where((states.stable == 1) & (states.A > 0), there, np.inf)
-    nearest = np.argmin(np.abs(there - measured[:, np.newaxis]), axis=-1)[..., np.newaxis]
-    found = np.take_along_axis(there, nearest, -1)[..., 0]
-    return np.where(np.isfinite(found), found, 0.0)
+    return _Measured(measured, A, of_designs, _names(subject, "A", subject.names[1], "m", "Hz"))
 
 
 def _samples(rows: Mapping[str, Any], least: int, *, in_si: bool = True) -> dict[str, Floats]:
@@ -612,8 +599,7 @@ def _decay(subject: Subject, x: Floats, t: Floats) -> _Measured:
                 found[k] = np.append(begin, np.frombuffer(states)[::2]) * sizes["length"]
         return found
 
-    names = ("t/s", "measured minus fitted x/m") if subject.mount else ("t", "measured minus fitted x")
-    return _Measured(x, t, of_designs, names, float(x[0]))
+    return _Measured(x, t, of_designs, _names(subject, "t", "x", "s", "m"), float(x[0]))
 
 
 def _loop(subject: Subject, x: Floats, F: Floats, t: Floats | None = None) -> _Measured:
@@ -634,8 +620,7 @@ def _loop(subject: Subject, x: Floats, F: Floats, t: Floats | None = None) -> _M
             found[k] = forces - forces.mean()
         return found
 
-    names = ("x/m", "measured minus fitted F/N") if subject.mount else ("x", "measured minus fitted F")
-    return _Measured(F - F.mean(), x, of_designs, names)
+    return _Measured(F - F.mean(), x, of_designs, _names(subject, "x", "F", "m", "N"))
 
 
 def _velocity(x: Floats) -> Floats:
