@@ -29,9 +29,9 @@ BEGIN = f"""# The derivation, equation by equation
 From the equation of motion (1) to the forcing F_SN = 0.0217 at which jumps begin. Paper: {CITATION}.
 
 Each equation is shown as published, then as derived if the form differs, with a verdict. A proof writes published minus
-derived as a quotient of polynomials over the rationals, by sin² + cos² = 1 and (√e)² = e; the two agree if it is the
-zero polynomial. `ledger/published.py` is the paper, typed by hand, errors included; it shares nothing with the
-derivation.
+derived as a quotient of polynomials over the rationals, by sin² + cos² = 1 and (√e)² = e; the two agree if the
+numerator is the zero polynomial. `ledger/published.py` is the paper, typed by hand, errors included; it shares nothing
+with the derivation.
 """
 
 
@@ -51,7 +51,7 @@ SECTIONS = (
         {
             "(1)": "A mass m on a vertical spring k_v with viscous damping c, dry friction F_c and a harmonic force.",
             "(2)": "λ springs of stiffness k_h, compressed by Δh, push horizontally on a rod of length L. They leave "
-            "it where they have their free length.",
+            "the rod where they reach their free length.",
             "(3)": "(1) with x = L u and time in 1/ω_n, over k_v L.",
             "(4)": "Definitions of the quantities in (3).",
             "(5)": "(2) over k_v L, and the u at which the springs detach.",
@@ -84,8 +84,8 @@ SECTIONS = (
         "The averaged restoring force",
         "restoring_force",
         {
-            "(20)": "The contribution of the mechanism to (19), a function of the amplitude. (21), (22) and (19) need "
-            "−1/π in front.",
+            "(20)": "The contribution of the mechanism to (19), a function of the amplitude. In (19), (21) "
+            "and (22) its prefactor is −1/π.",
             "(21)": "A ≤ u_cr: the springs never detach, ∫cos^(n+1) over the cycle.",
             "text before (22)": "A > u_cr: the springs detach twice a cycle, at u = ±u_cr.",
             "(22)": "The same integral over the intervals in which |u| < u_cr.",
@@ -98,11 +98,11 @@ SECTIONS = (
             "(23)": "The fixed points of (19), A' = φ' = 0. With H = h + A these are I + F_0 sin φ = 0 and "
             "R + F_0 cos φ = 0, R = AΩ² + h, I = 2ζAΩ + 4μ/π.",
             "(24)": "sin² + cos² = 1 eliminates φ: R² + I² = F_0². The unexpanded form keeps the digits "
-            "that cancel here.",
+            "that cancel in the expanded one.",
             "(25)": "The quotient of both equations of (23).",
             "(26)": "cos φ = 0: R = 0.",
             "(27)": "sin φ = −1: I = F_0.",
-            "text after (27)": "A_L falls to 0: below that force the mass sticks.",
+            "text after (27)": "Where A_L = 0; below this force the mass sticks.",
         },
     ),
     Section(
@@ -228,9 +228,9 @@ def equations(where: str, rows: list[Row], facts: Facts) -> Iterator[str]:
         if len(readings) > 1 and not literal:
             own, *others = (in_markdown(one.quantity.partition(" [")[2][:-1]) for one in (row, *readings.values()))
             others = [other for other in others if other != own]
-            tried = f"The proved reading: {own}; not proved: {', nor: '.join(others)}."
+            tried = f"The proved reading: {own}. Readings that differ: {'; '.join(others)}."
             if not holds:
-                tried = f"No reading is proved: {'; '.join((own, *others))}."
+                tried = f"All readings differ: {'; '.join((own, *others))}."
             yield from (f"Our plain-text copy of the paper is damaged here. {tried}", "")
 
 

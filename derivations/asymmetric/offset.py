@@ -68,7 +68,7 @@ def offset() -> Formulas:
         claim(
             "stiffness against a mean offset: `k_0 + k_2^2/(2 (4 Omega^2 - k_0))`",
             carried - structured,
-            eq="beside (30)",
+            eq="in addition to (30)",
         )
         apart = structured.subs(dict(zip(k, (k_0, k_2), strict=True)))
         q = sp.Symbol("q", real=True)
@@ -77,7 +77,7 @@ def offset() -> Formulas:
         of_h_A = sp.factor_terms(sp.expand(whole - whole.subs(h_A, 0)) / h_A)
         of_h_A, of_q = (sp.expand(part) for part in (of_h_A, whole.subs(h_A, 0) / q))
         over = ((h_A * of_h_A + q * of_q) / D).subs(q, h / A)
-        claim("both forms of the stiffness against a mean offset are equal", over - apart, eq="beside (30)")
+        claim("both forms of the stiffness against a mean offset are equal", over - apart, eq="in addition to (30)")
         far = (sp.Abs(h / A) / 2 + sp.Abs(h_A) / 2, sp.Abs(D))
         return Branch("over", (far,), (), (over,)), Branch("apart", (), (), (apart,))
 

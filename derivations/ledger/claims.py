@@ -165,7 +165,7 @@ def section_3_2(facts: Facts) -> Verdicts:
             "trace_negative": "A negative trace bounds the sum of the eigenvalues, not each: where det < 0, which (30) "
             f"detects, one is positive. {found}",
             "imaginary_eigenvalue": "At a saddle node det = 0: the eigenvalues are 0 and tr. A purely imaginary pair "
-            "would be a Hopf bifurcation, which the sentence before excludes.",
+            "would be a Hopf bifurcation, which the preceding sentence excludes.",
         },
     }
 
@@ -210,9 +210,9 @@ def section_3_3(facts: Facts) -> Verdicts:
         },
         LOOSE: {
             "inflection": "Only at F_0 = F_SN, and only if the root A_s lies below u_cr. It does if and only if F_A < "
-            "0 at u_cr and the least Ω > 0 with F_AA = 0, where h_1 = H_1 − A; otherwise (33) has no root that is a "
-            "point of the response. And F_SN of (33) is the onset only up to F_0 = 4μ/π + 2ζ√(−u_cr h_1(u_cr)), where "
-            "the backbone reaches u_cr: from there on folds lie on the corner that the jump of (6) makes. With the "
+            "0 at u_cr and the least Ω > 0 with F_AA = 0; otherwise (33) has no root that is a point of the response. "
+            "And F_SN of (33) is the onset only up to F_0 = 4μ/π + 2ζ√(−u_cr h_1(u_cr)), h_1 = H_1 − A, where the "
+            "backbone reaches u_cr: from there on folds lie on the corner that the jump of (6) makes. With the "
             f"other parameters of Table 1 the first condition holds from δ_h = {few(attached)}/(λr) on, both hold from "
             f"δ_h = {few(lowest)}/(λr) on; Table 1 has 1/(2λr).",
             "Omega_s": "At A_s, F_AA = 0 has two positive roots, Ω = "
@@ -383,7 +383,7 @@ def conclusions(facts: Facts) -> Verdicts:
             "conclusion_4_resultants": "Both resultants have roots that solve neither problem; the paper's rule for "
             "(33) selects such a root (see `minimum_root`).",
             "smoothed_equation": "(A1) smooths (3) with the untruncated force of (5), not the rescaled (8); and its "
-            "spring force is printed x where u is meant.",
+            "spring force is printed as x where u is meant.",
             "transients": f"Viscous damping alone reduces a transient to {few(slowest)} of its size in 100 periods at "
             "Ω = 1.5 (to less at lower Ω); at a fold an eigenvalue is 0, and no number of periods is enough.",
         },

@@ -137,9 +137,9 @@ def _explained(facts: Facts, label: str, kind: str, quantity: str, printed: str,
         )
     tried = "; ".join(f"{name}: {rounded(p.Omega, 6)}" for name, p in facts.variants.items())
     return (
-        f"No parameter or formula tried gives it, while A = {rounded(facts.fold(label, kind).A, 4)} is as printed and "
-        f"the response has Ω = {rounded(mesh.Omega, 6)} there. Tried: {tried}; peak: "
-        f"{rounded(facts.peaks[label].Omega, 4)}. The digits suggest a misprint of {_truncated(value, digits)}; that "
+        f"No parameter or formula tried gives it, while A = {rounded(facts.fold(label, kind).A, 4)} is as printed, and "
+        f"the response has Ω = {rounded(mesh.Omega, 6)} at this A. Tried: {tried}; peak: "
+        f"{rounded(facts.peaks[label].Omega, 4)}. The digits suggest a misprint for {_truncated(value, digits)}; that "
         "cannot be proved."
     )
 

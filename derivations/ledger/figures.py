@@ -92,9 +92,9 @@ def _low_friction(rows: Rows) -> str:
         ratio for ratio in ratios if all(row["point"]["off"] <= ACCEPTABLE for row in rows if row["ratio"] <= ratio)
     ]
     return (
-        f"{HERE}: Table 1's r and {len({row['F_0'] for row in low})} forcings, neither being in the text. In all "
-        f"{len(low)} cases below π/8 both curves have the same folds in the same order; the largest amplitude is right "
-        f"within {_peaks(low)}, the jumps within {_jumps(low)}, every point within "
+        f"{HERE}: Table 1's r and {len({row['F_0'] for row in low})} forcings; the paper states neither. In all "
+        f"{len(low)} cases below π/8 both curves have the same folds in the same order; the largest amplitude is "
+        f"accurate to {_peaks(low)}, the jumps to {_jumps(low)}, every point to "
         f"{percent(max(row['point']['off'] for row in low))}. Every point stays within {percent(ACCEPTABLE)} up to "
         f"μ/F_0 = {good[-1]:g}, the folds stay the same up to {same[-1]['ratio']:g}, where the jumps are off by up to "
         f"{_jumps([row for row in same if row['ratio'] == same[-1]['ratio']])}."
@@ -117,8 +117,8 @@ def _acceptable(figure: dict[str, Any]) -> str:
     )
     jumps = _jumps([row for row in rows if row["forcing"] != "F_SN"])
     return (
-        f"{HERE}: with Table 1 and the forcings of Table 2 the largest amplitudes are right within {_peaks(rows)}, the "
-        f"jumps' frequencies and amplitudes within {jumps}, F_SN within {percent(abs(figure['F_SN']['off']))}. Every "
+        f"{HERE}: with Table 1 and the forcings of Table 2 the largest amplitudes are accurate to {_peaks(rows)}, the "
+        f"jumps' frequencies and amplitudes to {jumps}, F_SN to {percent(abs(figure['F_SN']['off']))}. Every "
         f"point of the curve is within {percent(ACCEPTABLE)} only at {listed(row['forcing'] for row in fine)} (μ/F_0 ≤ "
         f"{max(row['ratio'] for row in fine):.2g}). Elsewhere amplitudes far from resonance are off by up to {coarse}."
     )

@@ -94,8 +94,8 @@ def _findings(facts: Facts, evidence: dict[str, str]) -> list[Finding]:
         Finding(
             "(20): the prefactor is half of what (21) and (22) need",
             ("formula:H_i_integrand_plus", "formula:H_i_integrand_minus"),
-            "Our plain-text copy of the paper lost the sign in front of (20). With minus, (1/2π)∫ gives exactly half "
-            "of H_i, with plus minus half: the derived integrand is −(1/π) f_k cos ψ. Integrated over the pieces it "
+            "Our plain-text copy of the paper lost the sign in front of (20). With a minus sign, (1/2π)∫ gives H_i/2, "
+            "with a plus sign −H_i/2: the derived integrand is −(1/π) f_k cos ψ. Integrated over the pieces it "
             "gives the published (21) and, over the four intervals, the published (22) "
             f"({'both proved' if facts.integrals_agree else 'not proved'}), and (19) is right with these. So (20) "
             "should read H_i = −(1/π)∫; the slip does not affect (21) and later equations.",
@@ -164,7 +164,7 @@ def _findings(facts: Facts, evidence: dict[str, str]) -> list[Finding]:
         ),
         judged("Section 5 (3): viscous damping raises F_cr at low preload too", "claim:conclusion_3_zeta"),
         Finding(
-            "(A1): the spring force is printed x",
+            "(A1): the spring force is printed as x",
             ("formula:smoothed_equation_of_motion_x",),
             "(A1) is in u; the difference from the derived equation is x − u. With u for x it is identical.",
         ),

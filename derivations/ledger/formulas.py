@@ -358,18 +358,19 @@ def _critical(results: Results) -> dict[str, Subject]:
             fields(onset, "dF/dA", "d2F/dA2", "A = A_s", "A_s", "b_i"),
             how=FIELDS,
             remark=f"Degree {onset.degree}; powers that vanish identically: the odd ones; content {onset.content}; "
-            f"{len(onset.factors)} irreducible factor over Q[A, α, β, γ, ζ, m], so no extraneous factor: "
-            "elimination adds roots, not factors.",
+            f"{len(onset.factors)} irreducible factor over Q[A, α, β, γ, ζ, m], so no extraneous factor, "
+            "although some roots are not points of the response.",
         ),
         "detachment_resultant": same(
             fields(detachment, "F", "dF/dOmega", "A = u_cr", "F_cr", "c_i(delta_h)"),
             how=FIELDS,
             remark=f"Degree {detachment.degree}; the odd powers vanish identically; content {detachment.content}; "
             "factors over Q: "
-            + ", ".join(
-                f"{sp.sstr(f)}^{k}" if f.is_Symbol else f"one of {len(f.args)} terms" for f, k in detachment.factors
+            + " and ".join(
+                f"{sp.sstr(f)}^{k}" if f.is_Symbol else f"a polynomial of {len(f.args)} terms"
+                for f, k in detachment.factors
             )
-            + " at A = u_cr; u_cr^8 is extraneous.",
+            + "; the factor A^8 = u_cr^8 is extraneous.",
         ),
         **{name: same(quasi_zero) for name in ("delta_h_qzs_inverse", "delta_h_qzs_literal")},
         **{name: same(quasi_zero.subs(lam, 3)) for name in ("delta_h_limit_inverse", "delta_h_limit_literal")},
@@ -435,7 +436,7 @@ def _preloads(results: Results) -> dict[str, Subject]:
     choice = "A choice; compared with the preload that gives α = 1/2 with λ = 3."
     return {
         "delta_h_caption_inverse": same(half, remark=choice),
-        "delta_h_caption_literal": same(half, remark="With r = 2.03 it would be δ_h > 1, longer than the rod."),
+        "delta_h_caption_literal": same(half, remark="With r = 2.03 the preload would exceed the rod, δ_h > 1."),
         "delta_h_table_inverse": same(half, remark=choice),
         "delta_h_table_literal": same(half, remark="It would make α = 1 − r²/2 negative."),
     }

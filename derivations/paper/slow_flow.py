@@ -43,10 +43,14 @@ def slope(expression: sp.Expr, slopes: dict[sp.Symbol, sp.Expr] | None = None) -
     return sp.diff(expression, A) + sum(sp.diff(expression, symbol) * value for symbol, value in chain.items())
 
 
+#: what has this degree, in claims
+OF_DEGREE = {4: "each of `F` and `F_A/2` is", 3: "`F_Omega/(4 A)` is"}
+
+
 def coefficients(expression: sp.Expr, degree: int) -> tuple[sp.Expr, ...]:
     """Coefficients by power of Omega, constant first, without the second-highest: an error unless that vanishes."""
     polynomial = sp.Poly(expression, Omega)
-    claim(f"the equation is a polynomial of degree {degree} in `Omega`", polynomial.degree() == degree, eq="(24)")
+    claim(f"{OF_DEGREE[degree]} a polynomial of degree {degree} in `Omega`", polynomial.degree() == degree, eq="(24)")
     claim(
         "its second-highest coefficient vanishes (depressed polynomial)",
         polynomial.coeff_monomial(Omega ** (degree - 1)),

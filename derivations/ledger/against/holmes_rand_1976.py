@@ -29,8 +29,8 @@ def formulas(derived: Derived) -> dict[str, Judge]:
             LOOSE,
             plain(function),
             shown,
-            evidence="Its sine is right. But an arcsine has no negative cosine: it is the phase where R ≤ 0, which is "
-            "below the backbone. Above it the phase is −π minus this.",
+            evidence="Its sine is right. But the cosine of an arcsine is never negative, so this is the phase only "
+            "below the backbone, R ≤ 0. Above the backbone the phase is −π minus this.",
         )
 
     return {
