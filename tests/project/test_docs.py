@@ -254,6 +254,7 @@ def test_the_code_in_a_docstring_runs(name: str, tmp_path: Path, capsys: pytest.
         return
     scene = tmp_path / "scene.toml"
     scene.write_text(code, encoding="utf-8")
+    (tmp_path / "loop.csv").write_bytes((ROOT / "scenes" / "loop.csv").read_bytes())
     assert cli.main(["run", str(scene), "--quiet"]) == 0
     assert "# spectrum" in capsys.readouterr().out
 
