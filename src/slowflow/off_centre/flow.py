@@ -17,7 +17,7 @@ from slowflow.core.intervals import Interval
 from slowflow.core.mechanism import Flags
 from slowflow.core.model import THROUGHOUT, Floats, SlowFlow
 from slowflow.off_centre.means import Means, Steps
-from slowflow_kernels import dissipation, inertia, off_centre, slow_flow
+from slowflow_kernels import dissipation, off_centre, slow_flow
 
 #: what rounding does to a bound
 ROUNDED = 2.0**-40
@@ -63,10 +63,6 @@ class Flow(SlowFlow):
         if not self.laws.any:
             return slow_flow.limit_envelope(Omega, force, self.m, self.zeta)
         return dissipation.limit_envelope(Omega, force, self.m, self.zeta, self.laws.eta, self.d)
-
-    def moves_from(self, F_0: float) -> float:
-        """The frequency from which on friction does not hold the mass."""
-        return float(inertia.moves_from(F_0, self.m)) if self.inertial else 0.0
 
     def level(self, Omega: Any, A: Any, averages: Any = None) -> Any:
         """The F_0 for which (Omega, A) is a steady state (24); that of an excitation by inertia at Omega = inf too."""

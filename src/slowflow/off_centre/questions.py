@@ -42,7 +42,7 @@ from slowflow.off_centre.reach import AMPLITUDE, LARGEST, Farthest, Measure, Rea
 from slowflow.support.errors import NotSettled, OutOfRange, Refused
 from slowflow.support.immutable import Unchanging
 from slowflow.support.text import Sentence, together
-from slowflow_kernels import dissipation, off_centre
+from slowflow_kernels import dissipation, inertia, off_centre
 
 #: a force that has shorter lengths is small beside what is rounded, as the size of a problem is taken to be 1 at least
 SHORTEST = 2.0**-40
@@ -283,7 +283,7 @@ class OffCentre(Unchanging, ComposedQuestions):
         found, notes = Curves.none(), _Notes()
         if self._flow.inertial:
             # at rest it begins, with no amplitude: there all states meet
-            begin = max(low, self._flow.moves_from(F_0) * (1 + BEGINS), high * BEGINS)
+            begin = max(low, float(inertia.moves_from(F_0, self._model.m)) * (1 + BEGINS), high * BEGINS)
             if begin >= high:
                 return self._response(found, F_0, _Notes(messages.empty_window(self._model, F_0, (low, high))))
             low = begin

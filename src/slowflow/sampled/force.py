@@ -104,15 +104,12 @@ class Force:
         assert last is not None
         self.line = tuple(float(one) for one in last.at(last.length, (0, 1)))
 
-    @cached_property
-    def error(self) -> float:
-        """The largest error that was measured."""
-        return max(one.error for one in self.smooth if one is not None)
-
-    @cached_property
-    def points(self) -> int:
-        """How many values stand for it."""
-        return sum(one.points for one in self.smooth if one is not None)
+    @property
+    def told(self) -> str:
+        """A description: how many values stand for it, and the largest error that was measured."""
+        pieces = [one for one in self.smooth if one is not None]
+        points, error = sum(one.points for one in pieces), max(one.error for one in pieces)
+        return f"a Python function, interpolated at {points} points with error {error:.1g}; averages are sums"
 
     @cached_property
     def samples(self) -> tuple[bytes, bytes]:
@@ -325,12 +322,7 @@ OF_DESIGNS: dict[str, Callable[[Force], Sequence[float]]] = {
     "kinks": lambda force: [one for lost in force.lost[:-1] for one in lost[1:3]],
     "hardening": lambda force: (-1.0,),
 }
-OF_ONE: dict[str, Callable[[Force], Any]] = {
-    "samples": lambda force: force.samples,
-    "told": lambda force: (
-        f"a Python function, interpolated at {force.points} points with error {force.error:.1g}; averages are sums"
-    ),
-}
+OF_ONE = ("samples", "told")
 #: how many outputs averages have; of a piece which derivative it is
 AVERAGES = {"averaged": 4, "harmonics": 8, "intercept": 1}
 OF_PIECE = {"force": 0, "slope": 1}
@@ -351,7 +343,7 @@ class SampledFunction:
     def __call__(self, *arguments: Any) -> Any:
         what = self.what
         if what in OF_ONE:
-            return OF_ONE[what](self.stated.force(tuple(map(float, arguments))))
+            return getattr(self.stated.force(tuple(map(float, arguments))), what)
         if what in OF_DESIGNS:
             return self._by_design(arguments, of=OF_DESIGNS[what])
         first, *numbers = arguments
