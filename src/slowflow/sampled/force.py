@@ -105,8 +105,8 @@ class Force:
         self.line = tuple(float(one) for one in last.at(last.length, (0, 1)))
 
     @property
-    def told(self) -> str:
-        """A description: how many values stand for it, and the largest error that was measured."""
+    def description(self) -> str:
+        """How many values stand for it, and the largest error that was measured."""
         pieces = [one for one in self.smooth if one is not None]
         points, error = sum(one.points for one in pieces), max(one.error for one in pieces)
         return f"a Python function, interpolated at {points} points with error {error:.1g}; averages are sums"
@@ -322,7 +322,7 @@ OF_DESIGNS: dict[str, Callable[[Force], Sequence[float]]] = {
     "kinks": lambda force: [one for lost in force.lost[:-1] for one in lost[1:3]],
     "hardening": lambda force: (-1.0,),
 }
-OF_ONE = ("samples", "told")
+OF_ONE = {"samples": "samples", "told": "description"}
 #: how many outputs averages have; of a piece which derivative it is
 AVERAGES = {"averaged": 4, "harmonics": 8, "intercept": 1}
 OF_PIECE = {"force": 0, "slope": 1}
@@ -343,7 +343,7 @@ class SampledFunction:
     def __call__(self, *arguments: Any) -> Any:
         what = self.what
         if what in OF_ONE:
-            return getattr(self.stated.force(tuple(map(float, arguments))), what)
+            return getattr(self.stated.force(tuple(map(float, arguments))), OF_ONE[what])
         if what in OF_DESIGNS:
             return self._by_design(arguments, of=OF_DESIGNS[what])
         first, *numbers = arguments
