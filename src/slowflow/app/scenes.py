@@ -33,8 +33,8 @@
     G = [1e-4, 1e-4, 2.5e-7]
     unit = "g^2/Hz"             # or "(m/s^2)^2/Hz", of the base; "N^2/Hz", of a force
 
-    # [loop]                    # for the report: a force-displacement loop, measured on one mount
-    # file = "loop.csv"         # columns x in m, F in N; t in s, for viscous damping
+    [loop]                      # for the report: a force-displacement loop, measured on one mount
+    file = "loop.csv"           # columns x in m, F in N; t in s, for viscous damping
 
     [require]                   # requirements: `run` and `report` give verdict and margins
     # jumps = "none"            # at each F of [ask]; detachment = "none" as well
