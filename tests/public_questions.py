@@ -11,7 +11,7 @@ import numpy as np
 from hypothesis import strategies as st
 
 from slowflow.grid.many import Designs
-from slowflow.grid.offset import OffCentreDesigns
+from slowflow.off_centre.many import OffCentreDesigns
 from slowflow.off_centre.questions import OffCentre
 from slowflow.oscillators.isolator import Isolator
 from slowflow.oscillators.physical import Physical

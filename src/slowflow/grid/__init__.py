@@ -37,7 +37,7 @@ def designs_of(
     named = any(validate.is_labelled(value) for value in values.values())
     numbers = dict.fromkeys(values, np.empty(0)) if named else values
     if "load" in values:
-        from slowflow.grid.offset import OffCentreDesigns
+        from slowflow.off_centre.many import OffCentreDesigns
 
         designs: ManyQuestions[Any, Any] = OffCentreDesigns(mechanism, numbers, excitation)
     else:

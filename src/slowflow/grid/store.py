@@ -174,7 +174,8 @@ def _prepare(
     known = xarray.Dataset(coords=coords | read, attrs=about).drop_encoding()
     known.to_zarr(path, mode="a", consolidated=False)
     group.attrs["coordinates"] = " ".join(sorted(set(known.coords) - set(known.sizes) | unread.keys()))
-    lengths, cut = sizes | ask.lengths, blocks | ask.lengths
+    counts = {f"block_of_{dim}": -(-length // blocks[dim]) for dim, length in sizes.items()}
+    lengths, cut = sizes | ask.lengths | counts, blocks | ask.lengths | dict.fromkeys(counts, 1)
 
     def make(name: str, dims: list[str], kind: Any, fill: Any, attributes: dict[str, Any]) -> None:
         group.require_array(
@@ -192,15 +193,7 @@ def _prepare(
     for name, (axis, _, kind, attributes) in ask.columns.items():
         fill = NOT_YET if name == "status" else FILL[kind.kind]
         make(name, [*sizes, *([axis] if axis else [])], kind, fill, attributes)
-    group.require_array(
-        DONE,
-        shape=[-(-length // blocks[dim]) for dim, length in sizes.items()],
-        chunks=[1] * len(sizes),
-        dtype=bool,
-        fill_value=False,
-        dimension_names=[f"block_of_{dim}" for dim in sizes],
-        attributes={"long_name": "which blocks are written"},
-    )
+    make(DONE, list(counts), bool, False, {"long_name": "which blocks are written"})
 
 
 def _identity(ask: Ask, values: Mapping[str, Any], sizes: Mapping[str, int]) -> dict[str, Any]:

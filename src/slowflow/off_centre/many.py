@@ -31,6 +31,7 @@ from slowflow.off_centre.answers import NUMBERS
 from slowflow.off_centre.flow import Flow
 from slowflow.off_centre.means import NO_MEANS, NOT_SMOOTH, Steps
 from slowflow.off_centre.questions import OffCentre
+from slowflow.random_vibration import many as random_many
 from slowflow_kernels.conventions import GradientStatus, Status
 from slowflow_kernels.domains import DAMPING
 
@@ -130,6 +131,8 @@ class OffCentreDesigns(many.Designs):
     def _ask(self, question: str, /, *, workers: int = 1, **kwargs: Any) -> Batch:
         """The answer to a question by its name, from what its method takes."""
         validate.workers(workers)
+        if question == "random":
+            return random_many.answer(self, **kwargs, workers=workers)
         if question == "spectrum":
             return self._spectrum(**kwargs)
         if question in SHOCKS:
