@@ -62,7 +62,7 @@ MOUNT: Physical = Isolator.physical(
 )
 MOUNT_FORCE = 5.0
 #: where the mass stops within the cycle, in the letters of dimensionless answers
-STOPS = text("friction stops it: {mu/(A Omega^2)|friction/(m A omega^2)} > 1")
+STOPS = text("friction stops the mass: {mu/(A Omega^2)|friction/(m A omega^2)} > 1")
 #: what `Isolator.physical` calls the numbers that have another name without dimensions
 PHYSICAL_NAMES = {"lam": "n", "r": "k_h", "delta_h": "preload", "mu": "friction", "F_0": "F", "Omega": "f"}
 
@@ -184,7 +184,7 @@ def _excitation(name: str, title: str) -> dict[str, Any]:
     """The amplitude of one: that of a base's acceleration is a force m a without dimensions."""
     of = Scales(m=1.0, k_v=1.0, L=1.0, excitation=name).of_oscillator
     scale = AMPLITUDES[name] if name == of else OF_KIND[name]
-    text = {} if name == of else {"doc": "amplitude of the base's acceleration, times the mass"}
+    text = {} if name == of else {"doc": "amplitude of the base's acceleration; dimensionless m a/(k_v L)"}
     return {"title": title, "solved_as": of, **_parameter(EXCITATIONS[of]), **text, "scale": dict(scale._asdict())}
 
 

@@ -154,9 +154,9 @@ function randomCard({ state, random }) {
   const each = (text) => Array.from({ length: random.n }, (_, i) => text(i)).join("<br>");
   const friction = (i) => (random.friction[i] > 0 ? `, friction ${percent(random.friction[i])} of the damping` : "");
   return card(
-    "<span>rms under the PSD</span>",
+    "<span>RMS under the PSD</span>",
     random.n ? each((i) => told(state, "A", random.u[i])) : "–",
-    random.n ? each((i) => `as at ${nameIn(state, "Omega")} = ${told(state, "Omega", Math.sqrt(random.k[i]))}${friction(i)}`) : random.word,
+    random.n ? each((i) => `equivalent natural frequency ${told(state, "Omega", Math.sqrt(random.k[i]))}${friction(i)}`) : random.word,
   );
 }
 
@@ -179,19 +179,19 @@ function say() {
       onset.status === ok ? reached(near("F_0", onset.F_SN), onset.A) : onset.status === DATA.status.UNBOUNDED ? `> ${near("F_0", answer.sticking)}` : "never",
       [
         onset.status === ok ? `at ${frequency} = ${near("Omega", onset.Omega)}, ${DATA.onset_kinds[onset.kind]}` : "",
-        onset.rest < (onset.status === ok ? onset.F_SN : Infinity) ? `folds that end at ${frequency} = 0 from ${near("F_0", onset.rest)}` : "",
+        onset.rest < (onset.status === ok ? onset.F_SN : Infinity) ? `other folds, beginning at ${frequency} = 0, above ${near("F_0", onset.rest)}` : "",
       ].filter(Boolean).join("; "),
       onset.status === ok && plain.F_0 > onset.F_SN ? "passed" : "",
     ) +
     card(
       `${symbol(criticalIn(state, "cr"))} <span>${DATA.mechanisms[state.mechanism].rod ? "springs detach above" : `passes ${u_cr} above`}</span>`,
       detachment.status === ok ? near("F_0", detachment.F_cr) : tends ? near("F_0", breaks[0]) : "never",
-      tends ? `as ${frequency} tends to ∞` : detachment.status === ok ? `at ${frequency} = ${near("Omega", detachment.Omega)}, ${u_cr} = ${near("A", detachment.u_cr)}` : "one piece",
+      tends ? `as ${frequency} tends to ∞` : detachment.status === ok ? `at ${frequency} = ${near("Omega", detachment.Omega)}, ${u_cr} = ${near("A", detachment.u_cr)}` : "the force has no breakpoint",
       detachment.status === ok && plain.F_0 > detachment.F_cr ? "passed" : "",
     ) +
     (byInertia(state)
-      ? card(`${frequency} <span>sticks up to</span>`, near("Omega", answer.sticksUpTo), "the inertia force does not overcome friction there")
-      : card(`4${symbol(nameIn(state, "mu"))}/π <span>sticks up to</span>`, near("F_0", answer.sticking), plain.F_0 <= answer.sticking ? `${F} is below` : "", plain.F_0 <= answer.sticking ? "passed" : "")) +
+      ? card(`${frequency} <span>mass sticks up to</span>`, near("Omega", answer.sticksUpTo), "the inertia force does not overcome friction there")
+      : card(`4${symbol(nameIn(state, "mu"))}/π <span>mass sticks up to</span>`, near("F_0", answer.sticking), plain.F_0 <= answer.sticking ? `${F} is below` : "", plain.F_0 <= answer.sticking ? "passed" : "")) +
     card(`<i>A</i> <span>peak</span>`, peak.value, peak.note) +
     card(
       `<span>jumps at</span> ${symbol(F)} <span>= ${near("F_0", plain.F_0)}</span>`,

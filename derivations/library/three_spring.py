@@ -37,5 +37,5 @@ MECHANISM = Mechanism(
     order=3,
     coefficients=({1: k_1, 3: k_3},),
     reach=sp.Rational(1, 2),
-    reach_reason="what stands for the oblique springs' bent share of the force is 18 % above it there",
+    reach_reason="the cubic approximation of the oblique springs' force is 18 % too high there",
 )

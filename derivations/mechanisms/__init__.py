@@ -69,8 +69,8 @@ UNIT = Parameter(sp.Symbol("unit", positive=True), "one, of a force that has no 
 FORCING = Parameter(F_0, "forcing amplitude", "k_v L", above=0)
 EXCITATIONS = {
     "force": FORCING,
-    "base": Parameter(F_0, "amplitude of the base's displacement, under a mass seen from the base", "L", above=0),
-    "unbalance": Parameter(F_0, "a turning mass times its radius, on the mass that moves", "m L", above=0),
+    "base": Parameter(F_0, "displacement amplitude of the base; u is relative to the base", "L", above=0),
+    "unbalance": Parameter(F_0, "unbalanced mass times its radius", "m L", above=0),
 }
 
 

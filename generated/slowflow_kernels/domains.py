@@ -24,6 +24,6 @@ CONTACTS = {
 # what the amplitude F_0 of an excitation is of (4); that of a force, and those of inertia, whose force is F_0 Omega^2
 EXCITATIONS = {
     "force": Parameter("F_0", "forcing amplitude", "k_v L", above=0.0),
-    "base": Parameter("F_0", "amplitude of the base's displacement, under a mass seen from the base", "L", above=0.0),
-    "unbalance": Parameter("F_0", "a turning mass times its radius, on the mass that moves", "m L", above=0.0),
+    "base": Parameter("F_0", "displacement amplitude of the base; u is relative to the base", "L", above=0.0),
+    "unbalance": Parameter("F_0", "unbalanced mass times its radius", "m L", above=0.0),
 }

@@ -401,7 +401,7 @@ def test_a_density_on_a_floor_has_a_root_mean_square(browser: Any, width: int) -
         mount = Isolator.physical(**MOUNT.given | {"force": "truncated"})
         found = mount.random(psd=FLOOR)
         card = page.locator("#answers .card").last.inner_text()
-        assert f"{1000 * found.x_rms[0]:.4g} mm" in card and f"f = {found.f_e[0]:.4g} Hz" in card
+        assert f"{1000 * found.x_rms[0]:.4g} mm" in card and f"natural frequency {found.f_e[0]:.4g} Hz" in card
         assert DIMENSIONLESS.search(card) is None and page.locator("#response .rms").count() == 1
         address = page.evaluate("explorer.toAddress(explorer.app.state)")
         names: dict[str, Any] = {}

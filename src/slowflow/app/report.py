@@ -42,7 +42,7 @@ MAPPED, REACH = 60, 0.5
 #: amplitudes of what
 EXCITATION = {
     "force": "force",
-    "base": "motion of the base",
+    "base": "displacement of the base",
     "acceleration": "acceleration of the base",
     "unbalance": "unbalance",
 }
@@ -78,8 +78,8 @@ NUMBERS |= {"delta_h": "the preload"}
 #: what the numbers of a mount at rest are
 MEANING = {one.si or one.name: one.text for one in COLUMNS.values()} | {
     "f_n": "natural frequency of the mass on the vertical spring alone",
-    "x_cr": "stroke, at which the horizontal springs detach",
-    "sticking": "force amplitude up to which the averaged mass sticks",
+    "x_cr": "displacement at which the horizontal springs detach",
+    "sticking": "force amplitude up to which friction holds the mass, by averaging",
     "rests_within": "distance from the centre within which friction holds the mass",
     "preset": "compression of the vertical spring that holds the mass at the centre",
     "lightest": "mass that would rest at the upper end of the stroke",
@@ -129,7 +129,13 @@ def _available(section: Iterator[str]) -> Iterator[str]:
 
 def _left_out(reasons: Sequence[str]) -> str:
     """Why parts are missing; nothing where none is."""
-    return "".join(f"<p>Left out: {page.inline(reason)}.</p>" for reason in reasons)
+    return "".join(f"<p>Left out: {page.inline(reason)}.</p>" for reason in dict.fromkeys(reasons))
+
+
+def _reason(missing: str, error: Exception) -> str:
+    """A message, with what is missing if it does not name that."""
+    message = str(error)
+    return message if missing in message else f"{missing}: {message}"
 
 
 class Report:
@@ -172,8 +178,7 @@ class Report:
         try:
             return [self._shown(question, F) for F in forcings]
         except NotAvailable as error:
-            message = str(error)
-            left_out.append(message if question in message else f"{question}: {message}")
+            left_out.append(_reason(question, error))
             return []
 
     def _called(self, name: str) -> tuple[str, str, float]:
@@ -235,7 +240,7 @@ class Report:
         if count > 1:
             yield f"In {some} of {count} shocks the springs detach."
         elif some:
-            yield "The springs detach in it."
+            yield "The springs detach in this shock."
 
     def in_short(self, F: float) -> Iterator[str]:
         """Of a force: jumps, detachment, the highest motion, isolation."""
@@ -277,7 +282,7 @@ class Report:
 
     def design(self) -> Iterator[str]:
         """The numbers that were given, and what they mean at rest."""
-        heads: tuple[str, ...] = ("number", "value")
+        heads: tuple[str, ...] = ("parameter", "value")
         sheet = self.mount.scales.sheet if self.mount else self.of.given
         rows: list[Any] = [(page.inline(name), page.cell(value)) for name, value in sheet.items()]
         if self.mount:
@@ -297,7 +302,7 @@ class Report:
                 for name, (value,) in found.columns().items()
                 if not np.isnan(value)
             ]
-            yield page.table("At rest", heads, at_rest)
+            yield page.table("At rest", ("quantity", *heads[1:]), at_rest)
 
     def answers(self) -> Iterator[str]:
         """What was asked at each force, and the forces from which on it jumps and its springs detach."""
@@ -344,7 +349,7 @@ class Report:
         """The folds of every forcing, if the scene asks for them."""
         for one in self.scene.of("fold_locus"):
             ax = pictures.locus(page.axes(), self.scene.answer(one))
-            yield page.figure(ax, "The amplitudes of the excitation that have a fold, over its frequency.")
+            yield page.figure(ax, "Fold locus: amplitude of the excitation over its frequency.")
 
     def spectrum(self) -> Iterator[str]:
         """A load spectrum, row by row."""
@@ -416,9 +421,7 @@ class Report:
             yield _table(f"T{str(one)[1:]}", found)
             if len(found) > FEW:
                 ax = pictures.bands(page.axes(), found)
-                yield page.figure(
-                    ax, f"The range of 95 % of the designs, relative to the nominal value, cut at twice that: {one}."
-                )
+                yield page.figure(ax, f"The range of 95 % of the designs over the nominal value, cut at 2: {one}.")
 
     def map(self) -> Iterator[str]:
         """From which force on neighbouring designs jump."""
@@ -447,17 +450,19 @@ class Report:
         """Jumps by averaging, the second approximation and the equation of motion; amplitudes; curves."""
         if not self.forcings:
             return
-        yield from _available(self._jumps_by_depths())
+        left_out: list[str] = []
+        yield from _available(self._jumps_by_depths(left_out))
         # measurements are of isolators under a force, about the centre, with viscous damping and dry friction
         plain = self.plain
         is_measured = plain.excitation == "force" and plain.load == 0 and not plain.model.laws.description()
         yield from self._expected() if is_measured else self._checked()
-        yield from self._depths(max(self.forcings))
+        yield from self._depths(max(self.forcings), left_out)
+        yield _left_out(left_out)
 
-    def _jumps_by_depths(self) -> Iterator[str]:
+    def _jumps_by_depths(self, left_out: list[str]) -> Iterator[str]:
         """Each jump by averaging, with higher harmonics, and by the equation of motion."""
         unit = self.mount.scales.sizes["frequency"] if self.mount else 1.0
-        rows, left_out = [], []
+        rows = []
         for F in self.forcings:
             found, plain = self._ask("saddle_nodes", F), self._plainly("saddle_nodes", F)
             if not len(plain):
@@ -466,7 +471,8 @@ class Report:
                 better = [f"{f:.5g}" for f in getattr(self.of.second_approximation.saddle_nodes(F), self.f)]
                 seconds = better if len(better) == len(found) else ["another number of folds"] * len(found)
             except NotAvailable as error:
-                seconds, left_out = ["left out"] * len(found), [str(error)]
+                seconds = ["left out"] * len(found)
+                left_out.append(str(error))
             for fold, exact, second in zip(found, plain.measure(), seconds, strict=True):
                 last = (f"{exact.Omega * unit:.5g}", _error(exact.error))
                 last = (escape(exact.reason), "") if exact.reason else last
@@ -478,7 +484,6 @@ class Report:
         heads = (of_F, "kind", f"{of_f}, averaged", "second approximation", *BY_MOTION)
         caption = "Each jump by averaging, with higher harmonics, and by the equation of motion itself"
         yield page.table(caption, heads, rows)
-        yield _left_out(left_out)
 
     def _checked(self) -> Iterator[str]:
         """The largest displacement by averaging and by the equation of motion, at the frequencies asked for."""
@@ -523,11 +528,9 @@ class Report:
             yield page.table("Error of the highest stable amplitude, as measured for such isolators", heads, rows)
         yield from remarks
 
-    def _depths(self, F: float) -> Iterator[str]:
+    def _depths(self, F: float, left_out: list[str]) -> Iterator[str]:
         """The curve about its peak by averaging, with higher harmonics, and of the equation of motion."""
-        left_out: list[str] = []
         peaks = self._at_each("peak", [F], left_out)
-        yield _left_out(left_out)
         at = getattr(peaks[0], self.f) if peaks else None
         if not at:
             return
@@ -542,7 +545,7 @@ class Report:
             try:
                 curve = ask()
             except (ValueError, ArithmeticError) as error:
-                missing.append(f"<p>No {depth} here: {page.inline(str(error))}.</p>")
+                left_out.append(_reason(depth, error))
                 continue
             found[depth] = shown(curve)
             if not getattr(curve, "complete", True):
@@ -562,10 +565,10 @@ class Report:
             for row in ledger["rows"]
             if row["kind"] == "formula" and row["where"] in EQUATIONS and row["verdict"] in PROVED
         ]
-        yield f"<p>Equations of {escape(ledger['paper'])}, each proved by the derivation:</p>"
+        yield f"<p>Equations of {escape(ledger['paper'])}, each proved by the derivation.</p>"
         if self.plain.load != 0:
             remark = "with the balance of the mean, which is not in the paper"
-            yield f"<p>Under a load these hold about a mean B, {remark}.</p>"
+            yield f"<p>Under a load they hold about a mean B, {remark}.</p>"
         yield page.table(
             "Averaged equations and their origin", ("number", "quantity", "expression that vanishes, or value"), rows
         )

@@ -45,18 +45,17 @@ MESSAGES: Mapping[Remark, str | Sentence] = {
     Remark.UNDECIDED: text(
         "close to where folds or states merge, {Omega = :g} or 4 {mu}/pi: their number or position is not resolved", 0.0
     ),
-    Remark.BEYOND_WELL: "there are states beyond the well, which turn where the spring force points outward: none "
+    Remark.BEYOND_WELL: "states beyond the well reach amplitudes at which the spring force points outward: none "
     "is stable, as exact motions do not return from there",
-    Remark.UNSUSTAINED: "there are states next to the top of the well that the equation of motion need not have: a "
+    Remark.UNSUSTAINED: "states next to the top of the well may not exist in the equation of motion: a "
     "free motion of such an amplitude loses more energy per cycle than the excitation supplies; measure() checks it",
-    Remark.BY_BALLS: "number, or which one is lowest, resolved in ball arithmetic, as double precision is inconclusive",
+    Remark.BY_BALLS: "the number of results, or which is lowest, is resolved in ball arithmetic, as double precision "
+    "is inconclusive",
     Remark.MIRRORED: Sentence(
         "{mirrored:s} is not odd: for {u} < 0 the force is that of |{u}| with the opposite sign; odd=False takes it "
         "as written"
     ),
-    Remark.OF_TRUNCATION: text(
-        "at the corner at {u_cr}, where the truncated force (6) jumps: the untruncated one has none"
-    ),
+    Remark.OF_TRUNCATION: text("a fold at {u_cr} is due to the discontinuity of the truncated force (6) there"),
 }
 
 

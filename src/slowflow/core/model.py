@@ -536,7 +536,7 @@ KNOWN = (
 )
 
 #: questions that look at motions about the centre, or begin there
-CENTRED = Sentence("{question:s} is not available with {why:s}, only about the centre")
+CENTRED = Sentence("{question:s} is not available with {why:s}: it assumes motion about the centre")
 AT_CENTRE = Sentence(
     "{why:s}: not available, this question is about centred motions. For offset motions there are rest, detachment, "
     "saddle_nodes, saddle_node_onset, amplitudes, frequency_response, peak, margins, hysteresis, isolation, spectrum, "
