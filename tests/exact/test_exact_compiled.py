@@ -229,21 +229,12 @@ def test_sweeps_settle_to_motions_of_scipy(motions):
     assert apart > 0
 
 
-@pytest.mark.parametrize(
-    ("law", "Omega", "F_0", "stops"),
-    [
-        ({"c_2": 0.4, "mu": 0.01}, 0.3, 0.02, 2),
-        ({"mu": 0.02, "mu_s": 0.03}, 0.3, 0.05, 2),
-        ({"mu": 0.02, "contact": "attached"}, 0.5, 0.1, 0),
-        ({"mu": 0.02, "mu_s": 0.03, "contact": "attached", "c_2": 0.3}, 0.3, 0.036, 2),
-    ],
-)
-def test_motions_under_every_law_of_damping_are_scipys(law, Omega, F_0, stops):
+def test_motion_under_several_laws_of_damping_is_scipys():
     """With rests and beyond u_cr: amplitude, multipliers, switches."""
-    system = ISOLATOR.replace(zeta=0.02, **law).equation_of_motion()
-    found = steady_state(system, Omega=Omega, F_0=F_0)
+    damping = {"zeta": 0.02, "mu": 0.02, "mu_s": 0.03, "contact": "attached", "c_2": 0.3}
+    found = steady_state(ISOLATOR.replace(**damping).equation_of_motion(), Omega=0.3, F_0=0.036)
     other = again(found)
-    assert found.stops == stops and found.residual <= 1e-14
+    assert found.stops == 2 and found.residual <= 1e-14
     assert other.A == pytest.approx(found.A, rel=1e-11)
     assert np.max(np.abs(other.multipliers - found.multipliers)) <= 1e-11
 

@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from scipy.optimize import minimize_scalar, root
+from scipy.optimize import root
 
 from slowflow import Duffing, Isolator
 from slowflow.exact import EquationOfMotion, exact_response, linear, response, steady_state, sweep
@@ -34,34 +34,10 @@ def test_two_folds_and_no_other(curves):
         assert curve.folds[0].A < curve.folds[1].A
         changes = np.flatnonzero(np.diff(curve.stable.astype(int)))
         assert changes.size == 2, key
+        assert not curve.stable[[point.role in FOLDS for point in curve.states]].any()  # one multiplier is 1
         assert curve.Omega[0] == pytest.approx(0.5, abs=1e-12) and curve.Omega[-1] == pytest.approx(1.5, abs=1e-12)
         # all frequencies rise but between the folds
         assert np.flatnonzero(np.diff(np.sign(np.diff(curve.Omega)))).size == 2
-
-
-def test_folds_lie_where_solutions_end(curves):
-    """Two motions on one side of a fold, 1e-8 away in Omega, none on the other; the half-map's multiplier is 1."""
-    for (exact, F_0), curve in curves.items():
-        for fold in curve.folds:
-            index = int(np.argmin(np.abs(curve.Omega - fold.Omega) + np.abs(curve.A - fold.A)))
-            at = curve.steady_state(index)
-            assert np.min(np.abs(at.half_multipliers - 1)) <= 1e-6
-            assert at.residual <= 1e-12
-            assert not curve.stable[index]  # one multiplier is 1: nothing returns to it
-            inside = 1 if fold.kind == "jump-up" else -1
-            cycle, z = at.cycle, at.unknowns
-            found = []
-            for side in (1e-4, -1e-4):
-                near = z + side * curve.states[index].tangent
-                near[-1] = fold.Omega + inside * 1e-8
-                solved = cycle.newton(near, F_0, most=40)
-                assert solved is not None, (exact, F_0, fold)
-                found.append(solved[0][0])
-            assert abs(found[0] - found[1]) > 1e-6
-            beyond = z.copy()
-            beyond[-1] = fold.Omega - inside * 1e-8
-            solved = cycle.newton(beyond, F_0, most=40)
-            assert solved is None or abs(solved[0][0] - z[0]) > 1e-2
 
 
 def test_points_are_motions_and_stability_is_theirs(curves):
@@ -110,52 +86,6 @@ def frequency_of(point, F_0, exact, off):
     """Of the motion with the amplitude of a curve's point, solved for from beside that."""
     A, theta, Omega = float(point.z[0]), point.z[1] + off, point.z[-1] + off
     return root(lambda x: unlike_mirrored(A, *x, F_0, exact), (theta, Omega), tol=1e-13).x[1]
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize(("exact", "F_0"), [(False, 0.0301), (False, 0.04), (True, 0.04)])
-@pytest.mark.part(3)
-def test_curve_by_amplitude(curves, exact, F_0):
-    """Solved for (Omega, theta) at given amplitudes instead of followed: the same curve, the same folds.
-
-    Independent of continuation, switching and integrator; as many turns of Omega(A) as there are folds.
-    """
-    curve = curves[exact, F_0]
-    top = int(np.argmax(curve.A))
-    turns = 0
-    # next to the highest point the two frequencies of one amplitude are too close to tell apart
-    for branch in (slice(0, top - 1), slice(top + 2, None)):
-        points = [p for p in curve.states[branch] if 0.15 < p.A < 0.6][::3]
-        frequencies = []
-        for point in points:
-            frequencies.append(frequency_of(point, F_0, exact, 1e-3))
-            assert abs(frequencies[-1] - point.z[-1]) <= 1e-9
-        turns += np.flatnonzero(np.diff(np.sign(np.diff(frequencies)))).size
-    assert turns == len(curve.folds)
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize(("exact", "F_0"), CURVES)
-@pytest.mark.part(3)
-def test_peak_by_amplitude(curves, exact, F_0):
-    """The highest motion maximised over Omega by SciPy, the force typed in: independent of everything but the start.
-
-    The curves' own points miss it by up to 7e-5.
-    """
-    peak = curves[exact, F_0].peak
-    near = [peak.A, float(peak.unknowns[1])]
-
-    def lowered(Omega):
-        solution = root(lambda x: unlike_mirrored(*x, Omega, F_0, exact), near, tol=1e-13)
-        assert np.max(np.abs(solution.fun)) <= 1e-11
-        return -float(solution.x[0])
-
-    # the jump just beyond the peak leaves no room for more
-    margin = 2e-5
-    found = minimize_scalar(lowered, bounds=(peak.Omega - margin, peak.Omega + margin), options={"xatol": 1e-11})
-    assert -found.fun == pytest.approx(peak.A, rel=1e-10)
-    assert found.x == pytest.approx(peak.Omega, abs=1e-6)
-    assert peak.A >= curves[exact, F_0].A.max() and peak.residual <= 1e-12
 
 
 @pytest.mark.parametrize("zeta", [0.05, 0.3, 0.9])
@@ -317,15 +247,17 @@ def test_border_to_sticking_is_den_hartogs():
 
 
 @pytest.mark.slow
-def test_points_of_a_curve_are_motions_by_scipy(curves):
+@pytest.mark.parametrize(("exact", "F_0"), [(False, 0.0301), (False, 0.04), (True, 0.04)])
+def test_points_of_a_curve_are_motions_by_scipy(curves, exact, F_0):
     """Stable and unstable, with and without detachment: amplitude and multipliers, to 1e-11 over what folds enlarge."""
-    curve = curves[True, 0.04]
-    for k in part([k for k in range(0, len(curve), 5) if not curve.states[k].role], 4):
-        state = curve.steady_state(k)
+    curve = curves[exact, F_0]
+    ordinary = [k for k in range(0, len(curve), 5) if not curve.states[k].role]
+    for state in (curve.peak, *map(curve.steady_state, part(ordinary, 4, f"{exact} {F_0}"))):
         other, enlarged = again(state), 1 / np.min(np.abs(1 - state.multipliers))
         assert abs(other.A - state.A) <= 1e-11 * enlarged
         apart = np.sort_complex(other.multipliers) - np.sort_complex(state.multipliers)
         assert np.max(np.abs(apart)) <= 1e-10 * enlarged
+        assert state.A <= curve.peak.A and state.residual <= 1e-12
 
 
 def test_unbounded_resonance_in_words():
