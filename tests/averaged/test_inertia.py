@@ -286,32 +286,6 @@ def test_margins_and_isolation_on_a_base_are_those_of_states():
     assert len(kinds) >= 3
 
 
-@pytest.mark.slow
-def test_a_map_over_named_axes_keeps_the_excitation():
-    xarray = pytest.importorskip("xarray")
-    zeta = xarray.DataArray([0.02, 0.05, 0.0], dims="zeta")
-    parameters = {**example.TABLE_1, "zeta": zeta}
-    found = Isolator.many(**parameters, excitation="base").saddle_node_onset()
-    plain = Isolator.many(**{**parameters, "zeta": zeta.values}, excitation="base").saddle_node_onset()
-    assert np.array_equal(found.F_SN.values, plain.F_SN, equal_nan=True)
-    assert found.attrs["excitation"] == "base"
-    with pytest.raises(ValueError, match="certify is not available with excitation = 'base'"):
-        Isolator.many(**parameters, excitation="base").certify(0.03)
-
-
-def test_isolation_begins_where_a_motion_last_transmits_all():
-    iso = Isolator(**example.TABLE_1, excitation="base")
-    found = iso.isolation(0.02)
-    Omega = np.linspace(0.3, 3.0, 20001)
-    states = iso.amplitudes(Omega=Omega, F_0=0.02)
-    last = states.Omega[states.stable & (states.transmissibility >= 1)].max()
-    assert last <= found.Omega <= last + (Omega[1] - Omega[0])
-    assert found.Omega == pytest.approx(math.sqrt(2) * iso.backbone(found.A), rel=1e-12)
-    open_ended = Duffing(1.0, 2.0, zeta=0.05, excitation="base").isolation(0.5)
-    assert open_ended.Omega is None
-    assert "extends to arbitrarily high frequencies" in open_ended.message
-
-
 def test_a_response_cut_at_the_reach_claims_nothing_beyond():
     cut = derive.library("three_spring")(alpha=0.9, ell=1.5, zeta=0.02, excitation="base")
     for found in (cut.hysteresis(2.5), cut.isolation(2.5)):

@@ -309,13 +309,6 @@ def test_what_is_not_allowed_is_refused_in_words(monkeypatch):
 # ---- inverse design ------------------------------------------------------------------------------------------------
 
 
-def test_the_nearest_design_with_one_free_number_is_a_root():
-    found = meet(MOUNT, {"zeta": (0.005, 0.1)}, at_least={"F_SN": 4.0})
-    root = brentq(lambda zeta: MOUNT.replace(zeta=zeta).saddle_node_onset().F_SN - 4.0, 0.02, 0.1, xtol=1e-14)
-    assert found.feasible and found.numbers["zeta"] == pytest.approx(root, rel=1e-10)
-    assert found.design == MOUNT.replace(**found.numbers) and found.message == found.binding == ""
-
-
 def test_nearest_of_two_free_numbers_lies_along_the_gradient():
     """A condition of the least distance along the edge of what is allowed, by differences of single answers."""
     free, start = {"k_h": (500.0, 2500.0), "zeta": (0.005, 0.1)}, {"k_h": 1700.0, "zeta": 0.02}
@@ -343,8 +336,9 @@ def test_a_design_that_meets_all_already_is_left_as_it_is():
 @pytest.mark.parametrize("lowest", [0.02, 0.05])
 def test_present_design_may_be_a_bound_or_outside(lowest):
     found = meet(MOUNT, {"zeta": (lowest, 0.1)}, at_least={"F_SN": 4.0})
-    least = brentq(lambda zeta: MOUNT.replace(zeta=zeta).saddle_node_onset().F_SN - 4.0, 0.02, 0.05)
+    least = brentq(lambda zeta: MOUNT.replace(zeta=zeta).saddle_node_onset().F_SN - 4.0, 0.02, 0.05, xtol=1e-14)
     assert found.feasible and found.numbers["zeta"] == pytest.approx(max(least, lowest), rel=1e-9)
+    assert found.design == MOUNT.replace(**found.numbers) and found.message == found.binding == ""
 
 
 @pytest.mark.slow
@@ -483,12 +477,7 @@ def test_slow_designs_are_found_by_gradient_steps(monkeypatch):
     one = meet(MOUNT, free, at_least={"F_SN": 3.5}, at_most={"f_rest": 2.0})
     assert one.feasible and one.numbers == pytest.approx(safe.numbers, rel=1e-9)
     nothing = front(MOUNT, {"k_h": (500, 2500)}, high=["F_SN"], low=["f_rest"], at_least={"F_cr": 80.0})
-    assert "the binding requirement is F_cr >= 80 N" in nothing.message
-
-
-def test_impossible_front_names_the_binding_requirement():
-    found = front(MOUNT, {"k_h": (500, 2500)}, high=["F_SN"], low=["f_rest"], at_least={"F_cr": 80.0})
-    assert len(found) == 0 and "the binding requirement is F_cr >= 80 N" in found.message
+    assert len(nothing) == 0 and "the binding requirement is F_cr >= 80 N" in nothing.message
 
 
 @pytest.mark.slow
@@ -936,14 +925,6 @@ def test_less_static_than_kinetic_friction_is_no_design(static):
         assert not meet(mount, {"friction": (0.1, 0.6)}, at_least={"F_SN": 4.0}).feasible
         with pytest.raises(ValueError, match=r"static_friction = 0.5 is not allowed: .* >= 0.6"):
             mount.replace(friction=0.6)
-
-
-def test_jumps_of_a_mount_with_static_friction_are_fitted():
-    mount = MOUNT.replace(static_friction=0.6)
-    folds = [mount.saddle_nodes(force).f for force in (3.0, 4.0, 5.0)]
-    measured = {"jump_up": [f[0] for f in folds], "jump_down": [f[-1] for f in folds]}
-    found = fit(mount.replace(zeta=0.022), F=[3.0, 4.0, 5.0], **measured, free=["zeta"])
-    assert found.value.tolist() == pytest.approx([0.02], rel=1e-9)
 
 
 @pytest.mark.parametrize("laws", [{"eta": 0.5}, {"c_2": 0.5}])
