@@ -1,5 +1,5 @@
 """Values to measure errors against: Table 1 and 200 random isolators from tests/data, where each digit is proved, and
-roots at 40 digits for any amplitude, from formulas of their own.
+roots at 40 digits for any amplitude.
 
 In:  amplitudes as doubles, taken exactly. Out: mpmath numbers.
 """
@@ -7,7 +7,6 @@ In:  amplitudes as doubles, taken exactly. Out: mpmath numbers.
 from __future__ import annotations
 
 import json
-from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from pathlib import Path
@@ -15,8 +14,11 @@ from typing import Any
 
 import mpmath
 import numpy as np
+from flint import arb
 
 from slowflow.example import TABLE_1
+from tests.oracles.averaged import BITS, RodSpring, digits, exact
+from tests.oracles.certified_roots import precision
 
 DATA = Path(__file__).resolve().parents[1] / "tests" / "data"
 F_0 = 0.04
@@ -85,75 +87,26 @@ def _exact_cases() -> list[dict[str, Any]]:
 
 
 class Table1:
-    """The averaged equations of Table 1 at 40 digits, the missing force integrated over the detached arc."""
+    """The averaged equations of Table 1, whose roots are enclosed."""
 
     def __init__(self) -> None:
-        with mpmath.workdps(DIGITS):
-            lam, r, delta_h, mu, self.zeta = (mpmath.mpf(TABLE_1[key]) for key in TABLE_1)
-            self.alpha = 1 - lam * r * delta_h
-            self.beta = lam / 2 * r * (1 - delta_h)
-            self.gamma = lam * r * (1 - delta_h) * 3 / 8
-            self.u_cr = mpmath.sqrt(delta_h * (2 - delta_h))
-            self.m = 4 * mu / mpmath.pi
-
-    def averaged(self, A: float) -> tuple[Number, Number]:
-        """h and dh/dA."""
-        k = (self.alpha - 1, self.beta, self.gamma)
-        with mpmath.workdps(DIGITS):
-            A = mpmath.mpf(A)
-            # 1/pi times the integral of cos^(2n) over a cycle
-            weights = [mpmath.mpf(1), mpmath.mpf(3) / 4, mpmath.mpf(5) / 8]
-            jump = mpmath.mpf(0)
-            if A > self.u_cr:
-                c = self.u_cr / A
-                s, arc = mpmath.sqrt(1 - c * c), mpmath.acos(c)
-                # the same over the detached arcs only
-                C_2 = (arc + s * c) / 2
-                C_4 = (3 * C_2 + s * c**3) / 4
-                C_6 = (5 * C_4 + s * c**5) / 6
-                weights = [w - 4 / mpmath.pi * C for w, C in zip(weights, (C_2, C_4, C_6), strict=True)]
-                force = sum(k_n * self.u_cr ** (2 * n + 1) for n, k_n in enumerate(k))
-                jump = 4 / mpmath.pi * force * c * c / (A * s)
-            h = -A - sum(w * k_n * A ** (2 * n + 1) for n, (w, k_n) in enumerate(zip(weights, k, strict=True)))
-            h_A = -1 - sum(
-                (2 * n + 1) * w * k_n * A ** (2 * n) for n, (w, k_n) in enumerate(zip(weights, k, strict=True))
-            )
-            return h, h_A + jump
+        self._of = RodSpring(**TABLE_1)
 
     def response(self, A: float) -> list[Number]:
         """All positive Omega with F = 0 (24), rising."""
-        h, _ = self.averaged(A)
-        with mpmath.workdps(DIGITS):
-            A, F = mpmath.mpf(A), mpmath.mpf(F_0)
-            return self._positive(
-                [1, 0, 4 * self.zeta**2 + 2 * h / A, 4 * self.zeta * self.m / A, (h * h + self.m**2 - F * F) / A**2]
-            )
-
-    def fold(self, A: float) -> list[Number]:
-        """All positive Omega with F_A = 0 (30), rising."""
-        h, h_A = self.averaged(A)
-        with mpmath.workdps(DIGITS):
-            A = mpmath.mpf(A)
-            return self._positive([1, 0, h_A + h / A + 4 * self.zeta**2, 2 * self.zeta * self.m / A, h * h_A / A])
+        return [_digits(digits(Omega)) for Omega in self._of.frequencies(A, F_0)]
 
     def fold_error(self, Omega: float, A: float) -> float:
         """Error of a point of the fold locus in u (1 + kappa), kappa the condition of its Omega in A.
 
         Just above u_cr, kappa is without bound: dh/dA goes to infinity there.
         """
-        with mpmath.workdps(DIGITS):
-            step = mpmath.mpf(10) ** (-DIGITS // 2)
-            roots = self.fold(A)
-            nearest = min(range(len(roots)), key=lambda i: abs(roots[i] - Omega))
-            exact, neighbour = roots[nearest], self.fold(mpmath.mpf(A) * (1 + step))[nearest]
-            kappa = abs(neighbour / exact - 1) / step
-            return float(abs(Omega / exact - 1) / (1 + kappa) / U)
-
-    @staticmethod
-    def _positive(coefficients: Sequence[Number]) -> list[Number]:
-        roots = mpmath.polyroots(coefficients, maxsteps=200, extraprec=200)
-        near = mpmath.mpf(10) ** (5 - DIGITS)
-        return sorted(z.real for z in roots if abs(z.imag) <= near * abs(z) and z.real > 0)
+        with precision(BITS):
+            at, step, found = arb(exact(A)), arb(10) ** -DIGITS, arb(exact(Omega))
+            root = min(self._of.fold_frequencies(at), key=lambda one: float(abs(one - found).mid()))
+            neighbours = self._of.fold_frequencies((at * (1 + step)).mid())
+            kappa = min((abs(one / root - 1) for one in neighbours), key=lambda one: float(one.mid())) / step
+            return float((abs(found / root - 1) / (1 + kappa)).mid()) / U
 
 
 def _digits(text: str) -> Number:

@@ -591,6 +591,12 @@ class Oscillator:
             own, j = self._at(A, regime or self.regime(A))
             return self._roots(own._response_polynomial(j, F_0 if isinstance(F_0, arb) else arb(exact(F_0))))
 
+    def fold_frequencies(self, A: arb) -> list[arb]:
+        """Every positive Omega with F_A = 0 at this amplitude, ascending."""
+        with precision(BITS):
+            own, j = self._at(A, self.regime(A))
+            return self._roots(own._slope_polynomial(j))
+
     def amplitudes(self, Omega: Number, F_0: Number) -> list[Amplitude]:
         """Every steady state at this frequency, by rising amplitude."""
         with precision(BITS):
