@@ -1,7 +1,4 @@
-"""Isolators with force="untruncated": folds, onset and detachment against solutions in 420 bits and a scan.
-
-The scan knows the geometry only: a rod of length 1, lam springs of stiffness r, shortened by delta_h.
-"""
+"""Isolators with force="untruncated": folds, onset and detachment against solutions in 420 bits and proofs."""
 
 from __future__ import annotations
 
@@ -10,7 +7,6 @@ import importlib.util
 import numpy as np
 import pytest
 from mpmath import mp, mpf
-from scipy.special import roots_legendre
 
 from slowflow import Isolator
 from slowflow.answers.results import Remark
@@ -53,7 +49,7 @@ def forcing(F_cr: float, F_SN: float | None, m: float) -> list[float]:
 @pytest.mark.parametrize("k", range(len(DESIGNS)))
 @pytest.mark.part(3)
 def test_untruncated_answers_are_exact_and_complete(k):
-    """Against solutions in 420 bits, whose averages `test_stability` holds against quadratures; folds by a scan."""
+    """Against solutions in 420 bits, whose averages `test_stability` holds against quadratures; as many as proved."""
     design = DESIGNS[k]
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr("warnings.warn", lambda *_, **__: None)  # of a negative stiffness at rest
@@ -64,46 +60,12 @@ def test_untruncated_answers_are_exact_and_complete(k):
         assert detachment.u_cr == pytest.approx(float(least.A.mid()), rel=4e-16)
         found = [(detachment, "detachment", {}), (onset, "saddle_node_onset", {})]
         for F_0 in forcing(detachment.F_cr, onset.F_SN, isolator.sticking_forcing):
-            folds = isolator.saddle_nodes(F_0)
+            folds = isolator.saddle_nodes(F_0, certify=True)
             assert not folds.corner.any()
-            assert len(folds) == folds_by_scanning(design, F_0)
+            assert folds.proof.proved and len(folds) == len(folds.proof.A)
             found += [(fold, "saddle_nodes", {"F_0": F_0}) for fold in folds]
         for one, question, query in found:
             assert max(rounding for _, rounding in errors(one, nearby, question, query).values()) <= 2, question
-
-
-def folds_by_scanning(design: dict[str, float], F_0: float) -> int:
-    """How often F_A changes its sign along the branches Omega(A) of the response, on a fine mesh of amplitudes."""
-    x, weight = roots_legendre(60)
-    delta_h, stiffness = design["delta_h"], design["lam"] * design["r"]
-    u_cr, m, zeta = np.sqrt(delta_h * (2 - delta_h)), 4 * design["mu"] / np.pi, design["zeta"]
-
-    def signs(A):
-        """Of F_A at each Omega, by rising Omega."""
-        end = np.arcsin(min(1.0, u_cr / A))
-        s = np.sin(end * (x + 1) / 2)
-        height = np.sqrt(1 - (A * s) ** 2)
-        w = end / 2 * weight * 4 / np.pi
-        h = -A + w @ (stiffness * (delta_h - 1 + height) * A * s**2 / height)
-        h_A = -1 + w @ (stiffness * (1 - (1 - delta_h) / height**3) * s**2)
-        roots = np.roots([A**2, 0, 2 * A * h + 4 * zeta**2 * A**2, 4 * zeta * A * m, h**2 + (m - F_0) * (m + F_0)])
-        Omega = np.sort(roots[(abs(roots.imag) < 1e-9) & (roots.real > 0)].real)
-        R, I = A * Omega**2 + h, 2 * zeta * A * Omega + m
-        return R * (Omega**2 + h_A) + 2 * zeta * Omega * I > 0
-
-    def between(low, at_low, high, at_high, depth=20):
-        if at_low.size == at_high.size:
-            return int((at_low != at_high).sum())
-        if depth == 0:
-            return 0
-        middle = (low + high) / 2
-        at_middle = signs(middle)
-        below = between(low, at_low, middle, at_middle, depth - 1)
-        return below + between(middle, at_middle, high, at_high, depth - 1)
-
-    mesh = np.concatenate([np.linspace(1e-3, u_cr, 600), u_cr + np.geomspace(1e-9, 3, 1200)])
-    found = [signs(A) for A in mesh]
-    return sum(between(*pair) for pair in zip(mesh, found, mesh[1:], found[1:], strict=False))
 
 
 def test_no_preload_is_linear():
