@@ -30,6 +30,7 @@ static void sf_make_law_polynomial_at(const sf_model *model, const sf_sample *at
 static int sf_count_at(const sf_model *model, const sf_sample *at, double F_0) {
     sf_law_polynomial by_laws;
     sf_isolated q;
+    sf_place place[3];
     if (sf_is_of_laws(model, F_0)) {
         sf_make_law_polynomial_at(model, at, F_0, &by_laws);
         return sf_law_count(&by_laws);
@@ -37,7 +38,7 @@ static int sf_count_at(const sf_model *model, const sf_sample *at, double F_0) {
     if (F_0 < 0 && model->zeta == 0) /* the factor R = 0 is the backbone, at the level m */
         return at->h_A < 0;
     sf_isolate_at(model, at, F_0, &q);
-    return sf_count(&q);
+    return sf_places(q.exist, q.f0 < 0, q.f1 > 0, q.f2 < 0, place);
 }
 
 /* Root number `index` of `count`. */
@@ -54,7 +55,7 @@ static double sf_branch_at(const sf_model *model, const sf_sample *at, double F_
     if (F_0 < 0 && (model->zeta == 0 || (at->A == 0 && fabs(at->h_A) < HUGE_VAL)))
         return slow_flow_zeta0_undamped_Omega(fmin(at->h_A, 0));
     sf_isolate_at(model, at, F_0, &q);
-    return sf_wanted_root(&q, count, index);
+    return sf_root_at(&q, sf_place_of(q.exist, q.f0, q.f1, q.f2, count, index));
 }
 
 /* ==== Arcs between events ========================================================================================= */

@@ -111,11 +111,6 @@ static inline int sf_follow(const sf_graph *graph, int end, int *visited, int *s
     return n;
 }
 
-static inline double sf_first_Omega(const sf_graph *graph, int step) {
-    return graph->arc[step / 2].Omega[1 - step % 2];
-}
-static inline double sf_last_Omega(const sf_graph *graph, int step) { return graph->arc[step / 2].Omega[step % 2]; }
-
 static inline void sf_reverse(int *step, int n) {
     for (int i = 0; i < n / 2; i++) {
         const int swap = step[i];
@@ -132,7 +127,8 @@ static inline void sf_tour_from(const sf_graph *graph, int end, int closed, int 
     const int n = sf_follow(graph, end, visited, step);
     if (n == 0)
         return;
-    if (!closed && sf_first_Omega(graph, step[0]) > sf_last_Omega(graph, step[n - 1]))
+    const int first = step[0], last = step[n - 1];
+    if (!closed && graph->arc[first / 2].Omega[1 - first % 2] > graph->arc[last / 2].Omega[last % 2])
         sf_reverse(step, n);
     tour->closed[tour->curves++] = closed;
     tour->start[tour->curves] = at + n;

@@ -107,14 +107,10 @@ static inline sf_interval sf_between(double f_a, double f_b, sf_interval slope, 
     return sfi_of(sf_least_between(f_a, f_b, lo, hi, width), -sf_least_between(-f_a, -f_b, -hi, -lo, width));
 }
 
-/* By how much a kernel may err: relatively, and as if its argument were a rounding away. */
-static inline double sf_error(double f, double A, double slope) {
-    const double error = SF_ERROR * (fabs(f) + A * fabs(slope));
-    return error < HUGE_VAL ? error : SF_ERROR * fabs(f);
-}
-
+/* A value with what its kernel may err by: relatively, and as if its argument were a rounding away. */
 static inline sf_interval sf_with_error(double f, double A, double slope) {
-    const double error = sf_error(f, A, slope);
+    const double relative = SF_ERROR * fabs(f), both = SF_ERROR * (fabs(f) + A * fabs(slope));
+    const double error = both < HUGE_VAL ? both : relative;
     return error < HUGE_VAL ? sfi_of(f - error, f + error) : sfi_point(f);
 }
 

@@ -224,11 +224,6 @@ static int sf_is_stable(const sf_model *model, double F_0, const sf_segment *seg
     return R * (at.h_A + Omega * Omega) + 2 * model->zeta * Omega * I > 0;
 }
 
-static void sf_add_segment(const sf_model *model, double F_0, sf_skeleton *out, sf_segment segment) {
-    segment.stable = sf_is_stable(model, F_0, &segment);
-    out->segment[out->segments++] = segment;
-}
-
 /* The segments of one step of a tour: its arc cut at its folds, in order along the curve. */
 static void sf_add_step(const sf_model *model, double F_0, const sf_arc *arc, int upward, int curve,
                         const sf_folds *folds, const int *arc_of, int number, sf_skeleton *out) {
@@ -247,7 +242,8 @@ static void sf_add_step(const sf_model *model, double F_0, const sf_arc *arc, in
         A = next < 0 ? arc->A[upward] : folds->at[next].A;
         Omega = next < 0 ? arc->Omega[upward] : folds->at[next].Omega;
         segment.A[upward] = A, segment.Omega[upward] = Omega;
-        sf_add_segment(model, F_0, out, segment);
+        segment.stable = sf_is_stable(model, F_0, &segment);
+        out->segment[out->segments++] = segment;
         if (next < 0)
             return;
     }

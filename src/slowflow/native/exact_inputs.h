@@ -27,11 +27,6 @@ typedef struct {
     sf_pair A, h[4]; /* h, h_A, h_AA, h_AAA */
 } sf_exact_sample;
 
-/* Whether the mechanism has a form in pairs, and its excitation is a force, which these forms are about. */
-static inline int sf_has_pairs(const sf_mechanism *mechanism) {
-    return mechanism->averaged_in_pairs != NULL && !mechanism->inertial;
-}
-
 /* What follows from the parameters, which are there. */
 static inline void sf_complete_exact(const sf_mechanism *mechanism, double mu, double zeta, sf_exactly *out) {
     sf_pair b[SF_MOST_BREAKS];
@@ -47,10 +42,10 @@ static inline void sf_complete_exact(const sf_mechanism *mechanism, double mu, d
         out->b[i] = i < out->breaks ? b[out->empty + i] : sfp_point(0);
 }
 
-/* 0 where there is no form in pairs. */
+/* 0 where the mechanism has no form in pairs, or is excited by inertia, which these forms are not about. */
 static inline int sf_make_exact(const sf_mechanism *mechanism, const double *design, double mu, double zeta,
                                 sf_exactly *out) {
-    if (!sf_has_pairs(mechanism))
+    if (mechanism->averaged_in_pairs == NULL || mechanism->inertial)
         return 0;
     mechanism->parameters_in_pairs(mechanism, design, out->p);
     sf_complete_exact(mechanism, mu, zeta, out);

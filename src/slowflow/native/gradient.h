@@ -56,9 +56,6 @@ static int sf_comes_to_break(const sf_model *model, sf_pinned kind, double A) {
     return 0;
 }
 
-/* Whether the forcing is one of the numbers found. */
-static int sf_finds_forcing(sf_pinned kind) { return kind >= SF_CUSP_PINNED; /* those before are at a forcing */ }
-
 /* The slopes of the conditions at an answer by A, Omega and F_0, and their sizes. */
 SF_ALWAYS void sf_slopes_at(const sf_pinned_answer *answer, const sf_model *model, double slopes[2 * SF_SIZES]) {
     const sf_sample *at = &answer->at;
@@ -236,7 +233,8 @@ static sf_moves_status sf_gradient(const sf_model *model, const double *of_desig
     answer->of = sf_law_terms_at(model, A, answer->beyond);
     (answer->inertial ? sensitivities_by_inertia : sensitivities_by_force)(w, F_0, answer->excited);
     answer->R = slow_flow_R(w, A, at->h), size_of_R = slow_flow_R(w, A, fabs(at->h));
-    if (sf_finds_forcing(answer->kind) && sf_vanishes(answer->excited[0], size_of_R, SF_MEETING))
+    /* kinds before it are at a given forcing */
+    if (answer->kind >= SF_CUSP_PINNED && sf_vanishes(answer->excited[0], size_of_R, SF_MEETING))
         return SF_BOUNDLESS_MOVES; /* neither friction nor damping: a level at 0 rises with either */
     if (answer->kind == SF_CORNER_FOLD_PINNED || answer->kind == SF_CORNER_END_PINNED) {
         double slopes[2 * SF_SIZES];

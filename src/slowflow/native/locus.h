@@ -93,10 +93,6 @@ static int sf_locus_gain(const sf_zero *zero) {
     return zero->rising == (zero->channel == 0) ? 2 : -2;
 }
 
-static int sf_is_extremum(const sf_zero *zero) {
-    return zero->question == SF_CUSP || zero->question == SF_ISOLA || zero->question == SF_UNDAMPED;
-}
-
 /* Cusps and isola points up to A_max in work, and where `whole` the locus. Without it turns are left out, which are
  * beyond doubles where damping is weak: there its two branches all but cross. */
 static sf_status sf_fold_locus(const sf_model *model, double A_max, int whole, sf_work *work) {
@@ -114,7 +110,7 @@ static sf_status sf_fold_locus(const sf_model *model, double A_max, int whole, s
         for (int k = 0; k < work->zeros.n; k++) {
             const sf_zero *zero = &work->zeros.at[k];
             sf_add_event(graph, zero->A, zero->Omega, sf_locus_event(zero), sf_locus_gain(zero));
-            if (sf_is_extremum(zero))
+            if (zero->question == SF_CUSP || zero->question == SF_ISOLA || zero->question == SF_UNDAMPED)
                 sf_add_zero(&work->extrema, *zero);
         }
         sf_add_event(graph, piece->last.A, 0, SF_CUT, 0);

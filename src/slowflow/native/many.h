@@ -28,18 +28,13 @@ static void sf_read_numbers_at(const sf_call *at, sf_numbers *out) {
         out->damping[i] = sf_input(at, mechanism->design_size + i);
 }
 
-/* What follows from the numbers of a design; 0 if one lies outside its domain. */
-static int sf_take_numbers(const sf_mechanism *mechanism, const sf_numbers *inputs, sf_model *model) {
-    return sf_take_design(mechanism, inputs->design, model->p) &&
-           mechanism->damping_of(inputs->damping, model->damping);
-}
-
 /* Design k as the solvers take it; 0 if a number lies outside its domain, or sf_prepare refuses it, or
  * with other laws of damping it has no answer.
  * jumps: whether the query needs what the force loses at its breakpoints, which takes longer than some answers. */
 static int sf_design_at(const sf_call *at, int jumps, sf_numbers *inputs, sf_model *model) {
     sf_read_numbers_at(at, inputs);
-    return sf_take_numbers(at->mechanism, inputs, model) &&
+    return sf_take_design(at->mechanism, inputs->design, model->p) &&
+           at->mechanism->damping_of(inputs->damping, model->damping) &&
            sf_prepare(at->mechanism, jumps ? inputs->design : NULL, model) &&
            (!sf_has_laws(model) || sf_allows_laws(model));
 }
@@ -50,9 +45,6 @@ static const sf_exactly *sf_exactly_in(const sf_numbers *inputs, const sf_mechan
 }
 
 /* ==== Answers ===================================================================================================== */
-
-/* How one design's search fared: SF_TOO_MANY is what has no place in an answer, and no search that ran out of room. */
-static sf_status sf_of_search(sf_status status) { return status == SF_TOO_MANY ? SF_UNRESOLVED : status; }
 
 static char *sf_output(const sf_call *at, int i) { return at->args[at->out + i] + at->k * at->steps[at->out + i]; }
 
@@ -98,8 +90,10 @@ static void sf_write_answer(const sf_call *at, sf_query *q) {
     const ptrdiff_t k = at->k, *steps = at->steps + at->out, *inner = at->inner, *max_count = at->dimensions + 1;
     const char *type = at->row->types;
     char *const *to = at->args + at->out;
-    sf_status status = sf_of_search((sf_status)q->item[0].value);
+    sf_status status = (sf_status)q->item[0].value;
     long taken = 0;
+    if (status == SF_TOO_MANY) /* a search that ran out of room; below, an answer that has no place */
+        status = SF_UNRESOLVED;
     for (; type[1] != 0; type++, to++, steps++) {
         char *here = *to + k * *steps;
         if (*type == 'n' || *type == 'i') {

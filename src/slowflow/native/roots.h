@@ -348,11 +348,6 @@ static inline int sf_places(int exist, int f0_below, int f1_above, int f2_below,
     return n;
 }
 
-static inline int sf_count(const sf_isolated *q) {
-    sf_place place[3];
-    return sf_places(q->exist, q->f0 < 0, q->f1 > 0, q->f2 < 0, place);
-}
-
 SF_ALWAYS double sf_root_at(const sf_isolated *q, sf_place place) {
     const sf_quartic *s = &q->s;
     if (q->exist && q->w1 == 0 && (place == SF_BETWEEN || place == SF_ABOVE)) { /* biquadratic: closed form */
@@ -419,10 +414,6 @@ static inline sf_place sf_place_of(int exist, double f0, double f1, double f2, i
     if (shown == count + 2) /* the pair that is nearest to nothing does not count */
         return place[fabs(f1) < fabs(f2) ? index + 2 : index];
     return shown > 0 ? place[shown - 1] : SF_AT_0;
-}
-
-static inline double sf_wanted_root(const sf_isolated *q, int count, int index) {
-    return sf_root_at(q, sf_place_of(q->exist, q->f0, q->f1, q->f2, count, index));
 }
 
 /* ==== Public ====================================================================================================== */

@@ -38,7 +38,6 @@ static void release(Py_buffer *const *buffers) {
 
 /* pieces by rising u; constants less the side of u = 0 */
 static PyObject *make_system(PyObject *self, PyObject *arguments) {
-    (void)self;
     PyObject *laws, *constants, *edges;
     double mu, zeta, load, c_2, mu_s, eta, c_3, zeta_2, jump = 0.0;
     int about, odd, inertial, released;
@@ -105,14 +104,12 @@ static PyObject *laws_of(const sf_law *law) {
 }
 
 static PyObject *laws(PyObject *self, PyObject *table) {
-    (void)self;
     const sf_law *const law = PyCapsule_GetPointer(table, TABLE);
     return law == NULL ? NULL : laws_of(law);
 }
 
 /* A law from words and numbers of a program, in order; None where that is too large. */
 static PyObject *interpreted(PyObject *self, PyObject *arguments) {
-    (void)self;
     const char *name;
     Py_buffer code, numbers;
     if (!PyArg_ParseTuple(arguments, "sy*y*", &name, &code, &numbers))
@@ -132,7 +129,6 @@ static void free_law(PyObject *capsule) { free(PyCapsule_GetPointer(capsule, LAW
 
 /* A law from rows of polynomials for u < 0 and for u > 0, see polynomials.h. */
 static PyObject *polynomials(PyObject *self, PyObject *arguments) {
-    (void)self;
     enum { ROW = 4 + 2 * SF_SUMMED };
     Py_buffer below, above;
     if (!PyArg_ParseTuple(arguments, "y*y*", &below, &above))
@@ -173,7 +169,6 @@ static int has_piece(const sf_system *system, int region, int fits, const char *
 }
 
 static PyObject *advance(PyObject *self, PyObject *arguments) {
-    (void)self;
     sf_forced forced;
     int slip, region;
     double theta, u, v, end;
@@ -196,7 +191,6 @@ static PyObject *advance(PyObject *self, PyObject *arguments) {
 }
 
 static PyObject *sample(PyObject *self, PyObject *arguments) {
-    (void)self;
     sf_forced forced;
     sf_phase phase = {0};
     Py_buffer grid, out;
@@ -217,7 +211,6 @@ static PyObject *sample(PyObject *self, PyObject *arguments) {
 /* (outcome, steps, numbers as `shocks` has them, phases as bytes, each an sf_stretch); in place of the numbers those of
  * sf_shocked.lost where the motion is lost. */
 static PyObject *shock(PyObject *self, PyObject *arguments) {
-    (void)self;
     sf_shocked shock = {0};
     double begin, after, numbers[SF_SHOCK_NUMBERS] = {0};
     Py_buffer arcs;
@@ -244,7 +237,6 @@ static PyObject *shock(PyObject *self, PyObject *arguments) {
 
 /* (outcome, steps, u where the motion is lost, u and v at the end of each arc as bytes) */
 static PyObject *record(PyObject *self, PyObject *arguments) {
-    (void)self;
     sf_shocked shock = {0};
     Py_buffer arcs;
     if (!PyArg_ParseTuple(arguments, "O&y*ddll", oscillator, &shock.system, &arcs, &shock.u, &shock.v, &shock.most,
@@ -267,7 +259,6 @@ static PyObject *record(PyObject *self, PyObject *arguments) {
 
 /* (outcome, steps, phases as bytes, each an sf_phase) */
 static PyObject *follow(PyObject *self, PyObject *arguments) {
-    (void)self;
     sf_forced forced = {0};
     double theta, u, v, end;
     int inputs, start[2];
@@ -289,7 +280,6 @@ static PyObject *follow(PyObject *self, PyObject *arguments) {
 /* (outcome, steps, A, monodromy, borders): residual, jacobian, of_A, gradients one after the other in `out`; z is
  * moved, `direction` filled where it is given. `extra` is None, a row with its value, or the number of a border. */
 static PyObject *newton(PyObject *self, PyObject *arguments) {
-    (void)self;
     PyObject *result = NULL;
     const sf_system *system;
     Py_buffer signature, z, row, out, direction;
@@ -338,7 +328,6 @@ static PyObject *newton(PyObject *self, PyObject *arguments) {
 /* (points, steps, pause, step, travelled): the points' numbers row by row in `rows`, which sets how many there may be;
  * `points` holds z and tangent of the last point, of the one before if there is one; `first` those, or nothing. */
 static PyObject *trace(PyObject *self, PyObject *arguments) {
-    (void)self;
     PyObject *result = NULL;
     const sf_system *system;
     Py_buffer signature, points, first, rows;
@@ -459,7 +448,6 @@ static PyObject *done_with(sf_designs *of, int fit) {
 
 /* Shocks of designs: for each mu and zeta, arcs and when they begin; out come the outcome and the numbers of each. */
 static PyObject *shocks(PyObject *self, PyObject *arguments) {
-    (void)self;
     PyObject *laws;
     sf_designs of = {0};
     Py_buffer damping, arcs, begin, outcomes, out;
@@ -498,7 +486,6 @@ enum { SF_MOST_MOTIONS = 64, SF_DAMPED_BY = 7 };
 
 /* An sf_gaussian at each of several sigma, as bytes */
 static PyObject *averages(PyObject *self, PyObject *arguments) {
-    (void)self;
     const sf_system *system;
     Py_buffer sigma;
     if (!PyArg_ParseTuple(arguments, "O&y*", oscillator, &system, &sigma))
@@ -524,7 +511,6 @@ static PyObject *averages(PyObject *self, PyObject *arguments) {
 
 /* An sf_table as bytes, of points that rise: frequency and density of each */
 static PyObject *table(PyObject *self, PyObject *arguments) {
-    (void)self;
     Py_buffer points;
     if (!PyArg_ParseTuple(arguments, "y*", &points))
         return NULL;
@@ -541,7 +527,6 @@ static PyObject *table(PyObject *self, PyObject *arguments) {
 /* ln I_0 and ln I_2 of a table, their slopes by p and q, and between which ends these and that by p at a constant
  * damping ratio are within radii of p and of the logarithm of that ratio: eighteen numbers as bytes */
 static PyObject *moments(PyObject *self, PyObject *arguments) {
-    (void)self;
     Py_buffer table;
     double p, q, r[2], found[18];
     if (!PyArg_ParseTuple(arguments, "y*dddd", &table, &p, &q, &r[0], &r[1]))
@@ -557,7 +542,6 @@ static PyObject *moments(PyObject *self, PyObject *arguments) {
 /* (k and c next to which there may be others, or 0, k = -1 where friction holds the mass; an sf_stationary each, as
  * bytes), of the power of white noise or a table */
 static PyObject *stationary(PyObject *self, PyObject *arguments) {
-    (void)self;
     PyObject *excitation;
     const sf_system *system;
     Py_buffer table = {0};
@@ -584,7 +568,6 @@ static PyObject *stationary(PyObject *self, PyObject *arguments) {
  * first breakpoint and load, and the power; out come how many there are, -1 where that is undecided, and places for
  * these. */
 static PyObject *stationary_of_each(PyObject *self, PyObject *arguments) {
-    (void)self;
     PyObject *laws;
     sf_designs of = {0};
     Py_buffer damping, power, table, counts, out;

@@ -51,7 +51,6 @@ static PyObject *solve(PyObject *self, PyObject *args) {
     Py_buffer buffer;
     called of;
     Py_ssize_t most;
-    (void)self;
     if (!PyArg_ParseTuple(args, "Oiy*n", &of.on, &of.d, &buffer, &most))
         return NULL;
     const ptrdiff_t n = buffer.len / (ptrdiff_t)sizeof(sf_box);

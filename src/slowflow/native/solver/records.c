@@ -125,7 +125,6 @@ static PyObject *read_record(PyObject *self, PyObject *args) {
     const char *name, *code, *numbers;
     Py_ssize_t count, length;
     int sampled, inertial = 0, with_laws = 0;
-    (void)self;
     if (!PyArg_ParseTuple(args, "psy#y#|pp", &sampled, &name, &code, &count, &numbers, &length, &inertial, &with_laws))
         return NULL;
     const sf_records *shipped = sf_here()->records;
@@ -164,7 +163,6 @@ static PyObject *called(PyObject *self, PyObject *args) {
     Py_ssize_t at[7];
     int sizes[3], inertial, with_laws;
     double reach, up_to;
-    (void)self;
     if (!PyArg_ParseTuple(args, "s(iii)dd(nnnnnnn)OppO", &name, &sizes[0], &sizes[1], &sizes[2], &reach, &up_to, &at[0],
                           &at[1], &at[2], &at[3], &at[4], &at[5], &at[6], &keep, &inertial, &with_laws, &enclosed))
         return NULL;
@@ -238,7 +236,6 @@ static PyObject *tuple_of(const double *values, int n) {
 static PyObject *parameters_of(PyObject *self, PyObject *args) {
     PyObject *capsule, *of_design;
     double design[SF_MOST_DESIGN], p[SF_MOST_PARAMETERS];
-    (void)self;
     if (!PyArg_ParseTuple(args, "OO!", &capsule, &PyTuple_Type, &of_design))
         return NULL;
     const sf_mechanism *record = sf_record_in(capsule);
@@ -254,7 +251,6 @@ static PyObject *parameters_of(PyObject *self, PyObject *args) {
 static PyObject *new_model(PyObject *self, PyObject *args) {
     PyObject *capsule, *parameters, *of_damping, *of_design = NULL;
     double damping[SF_MOST_DAMPING], design[SF_MOST_DESIGN];
-    (void)self;
     if (!PyArg_ParseTuple(args, "OO!O!|O!", &capsule, &PyTuple_Type, &parameters, &PyTuple_Type, &of_damping,
                           &PyTuple_Type, &of_design))
         return NULL;
@@ -295,7 +291,6 @@ static PyObject *averages(PyObject *self, PyObject *args) {
     PyObject *capsule, *parameters;
     Py_buffer A, out;
     double p[SF_MOST_PARAMETERS];
-    (void)self;
     if (!PyArg_ParseTuple(args, "OO!y*w*", &capsule, &PyTuple_Type, &parameters, &A, &out))
         return NULL;
     const sf_mechanism *record = sf_record_in(capsule);
@@ -327,7 +322,6 @@ static PyObject *averages(PyObject *self, PyObject *args) {
 static PyObject *prepared(PyObject *self, PyObject *capsule) {
     const sf_inputs *inputs;
     const sf_model *model = sf_model_in(capsule, &inputs);
-    (void)self;
     if (model == NULL)
         return NULL;
     return Py_BuildValue("dNN", model->m, tuple_of(model->b, model->breaks), tuple_of(model->jump, model->breaks));
