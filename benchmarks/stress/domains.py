@@ -109,13 +109,13 @@ def limits(module: str, name: str) -> Limits:
 
 
 def in_words(module: str, names: Iterable[str]) -> str:
-    """The box of some arguments."""
-    ranges = []
+    """The box of some arguments, those of the same range together."""
+    ranges: dict[str, list[str]] = {}
     for name in names:
         low, high, negative, zero = limits(module, name)
         sizes = f"up to {high:.4g}" if low == 0 else f"{low:.4g} to {high:.4g}"
-        ranges.append(f"{name} {sizes}" + " of either sign" * negative + " or 0" * (zero and low > 0))
-    return ", ".join(ranges)
+        ranges.setdefault(sizes + " of either sign" * negative + " or 0" * (zero and low > 0), []).append(name)
+    return "; ".join(f"{', '.join(names)} {sizes}" for sizes, names in ranges.items())
 
 
 def inside(module: str, names: Sequence[str], at: Sequence[float]) -> bool:

@@ -25,6 +25,8 @@ if TYPE_CHECKING:
 
 #: operations that a line of code has, and lines that a function has to save
 PER_LINE, LEAST_SAVED = 12, 20
+#: the same of one that has all outputs of its callers: these have nothing else to do
+LEAST_SAVED_BY_OUTPUTS = 5
 _NAME = re.compile(r"\b[A-Za-z_]\w*\b")
 
 
@@ -60,13 +62,16 @@ def with_calls(
         for branch, program in zip(kernel.branches, code[kernel.name], strict=True)
     ]
     numbers: dict[str, str] = {}
-    for count in itertools.count(1):
+    count = itertools.count(1)
+    while True:
         for one in every:
             _evaluate(one, numbers, printer)
         shared = max(_shared(every), key=_saved, default=None)
         if shared is None or _saved(shared) < LEAST_SAVED:
             break
-        _put_out(f"common_{count}", *shared)
+        _put_out(f"common_{next(count)}", *shared)
+    for _, of_kernel in itertools.groupby(every, lambda one: one.kernel):
+        _put_out_ends(list(of_kernel), count, printer)
     programs = iter(every)
     return {kernel.name: tuple(next(programs).program for _ in kernel.branches) for kernel in kernels}
 
@@ -88,13 +93,18 @@ def _evaluate(one: _Branch, numbers: dict[str, str], printer: Rules) -> None:
     one.values, one.lets = {}, {}
     for symbol, value in one.program.lets:
         called = value.repeated if isinstance(value, Output) else None
-        text = f"{type(value)} {value.args}" if called else printer.doprint(value)
-        whole = _NAME.sub(lambda found: one.values.get(found[0], found[0]), text)
+        whole = _text(value, one.values, printer)
         one.values[symbol.name] = numbers.setdefault(whole, f"value^{len(numbers)}")
         if not (called and called.straight):
             one.lets[whole] = symbol
     kept = {symbol for symbol, _ in _leading_to(one.program.lets, one.named & {*one.lets.values()})}
     one.lets = {value: symbol for value, symbol in one.lets.items() if symbol in kept}
+
+
+def _text(value: sp.Expr, known: Mapping[str, str], printer: Rules) -> str:
+    """A value as printed, with what is known of names in their places."""
+    text = f"{type(value)} {value.args}" if isinstance(value, Output) else printer.doprint(value)
+    return _NAME.sub(lambda found: known.get(found[0], found[0]), text)
 
 
 def _leading_to(lets: Iterable[Let], symbols: Iterable[sp.Symbol]) -> list[Let]:
@@ -118,11 +128,15 @@ def _shared(every: Sequence[_Branch]) -> Iterator[_Shared]:
 
 
 def _saved(shared: _Shared) -> int:
-    """Lines: a function has about eight more than its lets, and a call two."""
+    """Lines that a function of these saves."""
     same, users = shared
     values = dict(users[0].program.lets)
-    lines = sum(1 + operations(values[users[0].lets[value]]) // PER_LINE for value in same)
-    return lines * (len(users) - 1) - 8 - 2 * len(users)
+    return _saved_by([values[users[0].lets[value]] for value in same], len(users))
+
+
+def _saved_by(values: Iterable[sp.Expr], calls: int) -> int:
+    """The same of what it computes: it has about eight lines more than its values, and a call two."""
+    return sum(1 + operations(value) // PER_LINE for value in values) * (calls - 1) - 8 - 2 * calls
 
 
 def _put_out(name: str, same: Sequence[str], users: Sequence[_Branch]) -> None:
@@ -132,10 +146,9 @@ def _put_out(name: str, same: Sequence[str], users: Sequence[_Branch]) -> None:
     lets = tuple(let for let in first.program.lets if let[0] in own)
     arguments = sorted(set().union(*(value.free_symbols for _, value in lets)) - own, key=str)
     results = [value for value in same if any(_is_result(one.lets[value], same, one) for one in users)]
-    callers = dict.fromkeys("_".join(filter(None, [one.kernel, one.name])) for one in users)
     function = Repeated(
         name,
-        f"What {', '.join(callers)} have in common.",
+        f"What {_named(users)} have in common.",
         tuple(arguments),
         lets,
         tuple((sp.Symbol(f"{first.lets[value]}_out"), first.lets[value]) for value in results),
@@ -151,6 +164,57 @@ def _put_out(name: str, same: Sequence[str], users: Sequence[_Branch]) -> None:
         needed = set().union(*(output.free_symbols for output in one.program.outputs))
         others = _leading_to([let for let in rest if let not in earlier], needed)
         one.program = replace(one.program, lets=(*earlier, *function.at(taken, outputs), *others))
+
+
+def _named(users: Iterable[_Branch]) -> str:
+    return ", ".join(dict.fromkeys("_".join(filter(None, [one.kernel, one.name])) for one in users))
+
+
+def _put_out_ends(branches: Sequence[_Branch], count: Iterator[int], printer: Rules) -> None:
+    """Put into functions what regimes of a kernel make alike of quantities that the derivation names alike."""
+    numbers: dict[str, str] = {}
+    values: list[dict[sp.Symbol, str]] = []
+    same_outputs: dict[tuple[str, ...], list[int]] = {}
+    for number, one in enumerate(branches):
+        unnamed: dict[str, str] = {}
+        values.append({})
+        for symbol, value in one.program.lets:
+            text = _text(value, unnamed, printer)
+            values[number][symbol] = numbers.setdefault(text, f"value^{len(numbers)}")
+            if symbol not in one.named:
+                unnamed[symbol.name] = values[number][symbol]
+        same_outputs.setdefault(tuple(_text(output, unnamed, printer) for output in one.program.outputs), []).append(
+            number
+        )
+    for users in same_outputs.values():
+        _put_out_end([branches[k] for k in users], [values[k] for k in users], count)
+
+
+def _put_out_end(users: Sequence[_Branch], values: Sequence[dict[sp.Symbol, str]], count: Iterator[int]) -> None:
+    """The same of regimes with the same outputs, where that saves lines; `values` of lets, by named ones."""
+    first, outputs = users[0], users[0].program.outputs
+    read = set().union(*(output.free_symbols for output in outputs))
+
+    def without(own: set[sp.Symbol]) -> tuple[list[Let], set[sp.Symbol]]:
+        """The lets that the outputs are computed from, but for those of the regimes, and what they take of these."""
+        lets = _leading_to([let for let in first.program.lets if let[0] not in own], read)
+        return lets, read.union(*(value.free_symbols for _, value in lets)) - {symbol for symbol, _ in lets}
+
+    own = {one for one in first.named if len({each.get(one) for each in values}) > 1}
+    _, taken = without(own)
+    # what all of them have computed by then, they hand on
+    done = set.intersection(*({symbol for symbol, _ in _leading_to(one.program.lets, taken)} for one in users))
+    lets, taken = without(own | (done & first.named))
+    if _saved_by([*(value for _, value in lets), *outputs], len(users)) < LEAST_SAVED_BY_OUTPUTS:
+        return
+    results = tuple((sp.Symbol(f"result_{k}"), output) for k, output in enumerate(outputs))
+    arguments = sorted(taken, key=str)
+    doc = f"The outputs of {_named(users)}."
+    function = Repeated(f"common_{next(count)}", doc, tuple(arguments), tuple(lets), results, straight=True)
+    names = [name for name, _ in results]
+    for one in users:
+        head = _leading_to(one.program.lets, taken)
+        one.program = replace(one.program, lets=(*head, *function.at(arguments, names)), outputs=tuple(names))
 
 
 def _is_result(symbol: sp.Symbol, same: Sequence[str], one: _Branch) -> bool:

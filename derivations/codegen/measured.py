@@ -22,7 +22,7 @@ TWO_DIGITS = decimal.Context(prec=2, rounding=decimal.ROUND_UP)
 
 @dataclass(frozen=True)
 class Measured:
-    """k of kernels by name, and the arguments they are of, in words."""
+    """k of kernels by name, and the ranges of arguments that were searched."""
 
     where: str = ""
     kernels: dict[str, str] = field(default_factory=dict)
@@ -38,7 +38,7 @@ def stored() -> dict[str, Measured]:
         worst[name] = max(
             worst.get(name, 0.0), *(float(error) for error in row["errors"].values() if error is not None)
         )
-    found = {box["module"]: Measured(f"by a search for it with {box['where']}") for box in data["boxes"]}
+    found = {box["module"]: Measured(box["where"]) for box in data["boxes"]}
     for (module, kernel), error in worst.items():
         found[module].kernels[kernel] = shown(error)
     return found

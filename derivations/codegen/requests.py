@@ -39,7 +39,7 @@ REQUESTS = {
         "paired": "friction",
         "unlooped": "held",
         "from_c": """fold_moves fold_square peak_Omega_A cusp_balance isola_level isola_hessian tail rest isola_Omega
-            isola cusp_R peak least_restoring most_restoring level_rise cusp_bend isola_bend""",
+            isola cusp_R peak least_restoring most_restoring level_rise cusp_bend isola_bend Omega_A turn""",
         "cells": f"{_STATES} fold_least",
         "settled": " ".join(f"{kind}_step" for kind in EQUATIONS),
     },
@@ -59,14 +59,15 @@ REQUESTS = {
         "enclosed": "terms peak isola isola_apart",
         "unlooped": "amplitude moves_from",
         "from_c": """terms hessian fold_force fold_level fold_slopes force_slopes level_slope least_Omega_A peak_share
-            Omega_of_share isola_apart peak isola cusp_bend bound least share""",
+            Omega_of_share isola_apart peak isola cusp_bend bound least share Omega_A""",
     },
     "second_approximation": {"from_c": "detachment_by_inertia folds"},
     "dissipation": {
         "generic": "*",
         "from_c": f"""restoring viscous_moves far response_polynomial fold_polynomial structural_bound quadratic_bound
             R_of_peak F_A_halved Omega_A Omega_A_by_inertia released_moves F_AOmegaOmega cusp_bend_by_inertia
-            isola_bend_by_inertia F_OmegaOmega cusp_bend isola_bend static {_SYSTEMS}""",
+            isola_bend_by_inertia F_OmegaOmega cusp_bend isola_bend static R_of_response R_where_stationary
+            turn_share {_SYSTEMS}""",
         "in_c": """quadratic cubic at_rest rest_moves released viscous I I_A F F_A F_AA far_by_inertia limit_envelope
             full_by_inertia""",
         "enclosed": f"""at_rest released viscous I I_A far R_of_response R_of_peak R_where_stationary static
@@ -85,10 +86,11 @@ REQUESTS = {
         "from_c": "steepest resonance",
         "in_c": "over_displacements equivalent_damping damping_force response",
     },
-    "sensitivities": {"generic": "*", "from_c": "of_state by_force by_inertia"},
+    "sensitivities": {"generic": "*", "from_c": "right of_state by_force by_inertia"},
     "sampled": {
         "generic": "*",
-        "from_c": "averaged_terms averaged_end intercept_terms intercept_end harmonics_terms harmonics_end",
+        "from_c": """averaged_terms averaged_end intercept_terms intercept_end harmonics_terms harmonics_end bent_terms
+            bent_end_0 bent_end_1 bent_end_2 bent_end_3""",
         "in_c": "at_rest",
         "enclosed": "bent_terms bent_end_0 bent_end_1 bent_end_2 bent_end_3",
     },

@@ -47,8 +47,8 @@ class Line:
     number   -- its type, where that is not the kernel's own
     function -- what is called, if it is one that is printed beside the kernels: `name` are all its outputs then, and
                 `value` its arguments
-    columns, table -- of a loop that calls it: arguments that vary, and what they are in each turn
-    sums     -- of its outputs over all turns, which are all that is asked for
+    columns, table -- of a loop that calls it: arguments that vary, and what they are in each turn; `name` are the sums
+                of its outputs over all turns
     state    -- where it is a loop itself: what it begins from, before its other arguments
     """
 
@@ -58,7 +58,6 @@ class Line:
     function: str = ""
     columns: tuple[str, ...] = ()
     table: tuple[tuple[str, ...], ...] = ()
-    sums: tuple[str, ...] = ()
     state: tuple[str, ...] = ()
 
 
@@ -66,13 +65,15 @@ class Line:
 class RepeatedView:
     """What kernels of a module repeat, as a template needs it.
 
-    state -- of a loop, the first arguments, which are the outputs of the turn before
+    state   -- of a loop, the first arguments, which are the outputs of the turn before
+    columns -- where it is summed over the rows of a table, the arguments that are in a row
     """
 
     name: str
     doc: str
     arguments: tuple[str, ...]
     state: tuple[str, ...]
+    columns: tuple[str, ...]
     lets: tuple[Line, ...]
     outputs: tuple[tuple[str, str], ...]
 
@@ -264,7 +265,7 @@ def view(
         used_by_guards |= guard_symbols
         used_here = set().union(*used) | guard_symbols
         used_anywhere |= used_here
-        branches.append(branch_view(branch, program, kernel, set().union(*used), printer, shown.lets))
+        branches.append(branch_view(branch, program, kernel, set().union(*used), printer, shown))
     return KernelView(
         kernel,
         tuple(renamed),
@@ -289,11 +290,11 @@ def used_arguments(program: Program, kernel: Kernel) -> list[set[sp.Symbol]]:
 
 
 def branch_view(
-    branch: Branch, program: Program, kernel: Kernel, used: set[sp.Symbol], printer: Rules, shown: Sequence[Let]
+    branch: Branch, program: Program, kernel: Kernel, used: set[sp.Symbol], printer: Rules, shown: Program
 ) -> BranchView:
-    """A branch printed for one language, `shown` in place of its lets."""
+    """A branch printed for one language, `shown` in place of its program."""
     show = printer.doprint
-    lines = printed(shown, printer)
+    lines = printed(shown.lets, printer)
     guard = printer.conjunction.join(f"({show(left)} <= {show(right)})" for left, right in branch.guards)
     if len(branch.guards) == 1:
         guard = guard[1:-1]
@@ -303,7 +304,7 @@ def branch_view(
         not branch.kernel,
         guard,
         lines,
-        tuple(show(output) for output in program.outputs),
+        tuple(show(output) for output in shown.outputs),
         tuple(show(argument) for argument in kernel.arguments if argument not in used),
         program.operations,
         in_words(program, kernel.arguments),
@@ -329,7 +330,7 @@ def printed(lets: Sequence[Let], printer: Rules) -> tuple[Line, ...]:
             lines.append(_loop(here, sums, printer))
             gone = {symbol for call in here for symbol, _ in call}
             others = {symbol.name for name, value in lets for symbol in {name, *value.free_symbols} - gone}
-            if taken := others & {*lines[-1].columns, *lines[-1].name.split(", ")}:
+            if taken := others & {*lines[-1].columns}:
                 raise ArithmeticError(f"{repeated.name} called in a loop hides {sorted(taken)}")
             summed |= {symbol for symbol, _ in sums}
         else:
@@ -378,18 +379,18 @@ def _loop(calls: Sequence[Sequence[Let]], sums: Sequence[Let], printer: Rules) -
     show = printer.doprint
     own = [*map(show, repeated.arguments)]
     return Line(
-        ", ".join(f"{name}_here" for name, _ in repeated.outputs),
+        ", ".join(show(symbol) for symbol, _ in sums),
         ", ".join(own[k] if vary else show(turns[0].args[k]) for k, vary in enumerate(varies)),
         function=repeated.name,
         columns=tuple(itertools.compress(own, varies)),
         table=tuple(tuple(map(show, itertools.compress(turn.args, varies))) for turn in turns),
-        sums=tuple(show(symbol) for symbol, _ in sums),
     )
 
 
-def repeated_views(code: Code, printer: Rules) -> list[RepeatedView]:
-    """What the kernels of a module repeat, printed, by name."""
+def repeated_views(code: Code, printer: Rules, views: Iterable[KernelView] = ()) -> list[RepeatedView]:
+    """What the kernels of a module repeat, printed, by name; `views` are those that sum some of it over tables."""
     found: dict[str, Repeated] = {}
+    columns = {line.function: line.columns for line in _lines_of(views) if line.table}
 
     def gather(lets: Iterable[Let]) -> None:
         # what calls others stands behind them
@@ -398,29 +399,30 @@ def repeated_views(code: Code, printer: Rules) -> list[RepeatedView]:
             found.setdefault(one.name, one)
 
     gather(let for programs_ in code.values() for program in programs_ for let in program.lets)
-    views = []
+    repeated = []
     for name, one in found.items():
         program = program_of(one)
         outputs = zip((symbol.name for symbol, _ in one.outputs), program.outputs, strict=True)
-        views.append(
+        repeated.append(
             RepeatedView(
                 name,
                 one.doc,
                 tuple(map(printer.doprint, one.arguments)),
                 tuple(map(printer.doprint, one.state)),
+                columns.get(name, ()),
                 printed(program.lets, printer),
                 tuple((output, printer.doprint(value)) for output, value in outputs),
             )
         )
-    return views
+    return repeated
 
 
 def tables(views: Iterable[KernelView]) -> list[tuple[tuple[str, ...], tuple[tuple[str, ...], ...]]]:
     """The tables that these kernels loop over, each once: columns and rows."""
-    return list(dict.fromkeys((line.columns, line.table) for line in lines_of(views) if line.table))
+    return list(dict.fromkeys((line.columns, line.table) for line in _lines_of(views) if line.table))
 
 
-def lines_of(views: Iterable[KernelView]) -> list[Line]:
+def _lines_of(views: Iterable[KernelView]) -> list[Line]:
     """All lines of these kernels."""
     return [line for view in views for branch in view.branches for line in branch.lets]
 

@@ -171,7 +171,7 @@ def dissipation(averaged: Averaged, flow: Formulas, slopes: Formulas) -> Formula
     F_Omega, F_AOmega = by_Omega(F), by_Omega(F_A)
     of.add("F_Omega", sp.factor_terms(F_Omega), "dF/dOmega.", "(24)")
     of.add("F_OmegaOmega", sp.factor_terms(by_Omega(F_Omega)), "d2F/dOmega2.", "(24)")
-    of.add("F_AOmega", sp.factor_terms(F_AOmega), "d2F/dA dOmega.", "(24)")
+    of.F_AOmega = sp.factor_terms(F_AOmega)
     of.add("F_AOmegaOmega", sp.factor_terms(by_Omega(F_AOmega)), "d3F/dA dOmega2.", "(24)")
     of.add("Omega_A", -F_A / F_Omega, "dOmega/dA along the response.", "from (24)")
 

@@ -142,12 +142,6 @@ def inertia(flow: Formulas) -> Formulas:
     # along F_A = 0: dOmega/dA = -F_AA/F_AOmega
     F_AOmega, F_AA = flow.F_AOmega, flow.F_AA
     of.add(
-        "level_rise",
-        -level_slope * F_AA * F_AOmega,
-        "Positive where the level rises with A along the fold locus, negative where it falls.",
-        on_locus,
-    )
-    of.add(
         "cusp_bend",
         -level_slope * flow.F_AAA * F_AOmega,
         "Positive at a cusp where the level has a minimum along the fold locus, negative at a maximum.",

@@ -3,11 +3,7 @@
    Written by `make derive` from derivations/paper/equation_of_motion.py, derivations/paper/averaging.py,
    derivations/paper/slow_flow.py, derivations/extensions/inertia.py; never edit.
 
-   Everything is dimensionless. C99. `p` holds the mechanism's parameters in their order, `out` takes the outputs.
-   Operations are those in floating point. Bounds of rounding errors, output by output, are proved for all arguments
-   where nothing overflows or underflows (derivations/codegen/rounding.py).
-   Others are measured: the worst error of all outputs that was found, by a search that inertia.py describes.
-   u = 2^-53, kappa is the relative condition number of an output in all arguments. */
+   What arguments and comments mean is in inline.h. */
 
 #ifndef INERTIA_H
 #define INERTIA_H
@@ -175,21 +171,6 @@ SF_KERNEL double inertia_Omega_of_share(double A, double F_0, double m, double z
 {
     const double of_I = F_0 / sqrt(share * share + 1.0);
     return (A * zeta + sqrt(A * A * zeta * zeta + m * of_I)) / of_I;
-}
-
-/* Positive where the level rises with A along the fold locus, negative where it falls.
-   Equation from (24), (30). Domain: Omega > 0, A > 0. Operations: 32. Error / u (1 + kappa): measured 1.3. */
-SF_KERNEL double inertia_level_rise(double Omega, double A, double m, double zeta, double h, double h_A, double h_AA)
-{
-    const double t0 = Omega * Omega;
-    const double R = A * t0 + h;
-    const double t1 = A * Omega;
-    const double t2 = t1 * zeta;
-    const double I_ = m + 2.0 * t2;
-    const double t3 = h_A + t0;
-    const double t4 = zeta * zeta;
-    return 8.0 * (4.0 * I_ * (m + t2) + 4.0 * R * h) * (R * h_AA + 4.0 * t0 * t4 + t3 * t3) * (I_ * zeta + Omega
-        * R + t1 * t3 + 2.0 * t1 * t4);
 }
 
 /* Positive at a cusp where the level has a minimum along the fold locus, negative at a maximum.

@@ -3,10 +3,7 @@
    Written by `make derive` from derivations/paper/equation_of_motion.py, derivations/extensions/linearization.py;
    never edit.
 
-   Everything is dimensionless. C99. `p` holds the mechanism's parameters in their order, `out` takes the outputs.
-   Operations are those in floating point. Bounds of rounding errors, output by output, are proved for all arguments
-   where nothing overflows or underflows (derivations/codegen/rounding.py).
-   u = 2^-53, kappa is the relative condition number of an output in all arguments. */
+   What arguments and comments mean is in inline.h. */
 
 #ifndef LINEARIZATION_H
 #define LINEARIZATION_H

@@ -2,12 +2,8 @@
 
    Written by `make derive` from derivations/mechanisms/rod_spring.py; never edit.
 
-   Everything is dimensionless. C99. `p` holds the mechanism's parameters in their order, `out` takes the outputs.
-   Regimes: passed_n where A exceeds n breakpoints, far_k where it exceeds k of them 21/20 times.
-   Operations are those in floating point. Bounds of rounding errors, output by output, are proved for all arguments
-   where nothing overflows or underflows (derivations/codegen/rounding.py).
-   Others are measured: the worst error of all outputs that was found, by a search that rod_spring.py describes.
-   u = 2^-53, kappa is the relative condition number of an output in all arguments. */
+   What arguments and comments mean is in inline.h. Regimes: passed_n where A exceeds n breakpoints, far_k where it
+   exceeds k of them 21/20 times. */
 
 #ifndef ROD_SPRING_H
 #define ROD_SPRING_H
@@ -56,6 +52,90 @@ SF_COMMON void rod_spring_common_1(double A, double u_cr, double *root_out, doub
     *y_out = y;
     *M8_out = M8;
     *M6_out = M6;
+}
+
+/* The outputs of harmonics_passed_1, harmonics_passed_1_far_1. */
+SF_COMMON void rod_spring_common_2(double A, double W3_3, double W3_5, double W5_3, double W5_5, double alpha,
+    double beta, double gamma, double root, double u_cr, double x, double y, double *result_0, double *result_1,
+    double *result_2, double *result_3, double *result_4, double *result_5, double *result_6, double *result_7)
+{
+    const double t0 = 1.0 / A;
+    const double x2 = x * x;
+    const double x3 = x * x2;
+    const double t1 = x3 * y;
+    const double W3_1 = -t1;
+    const double W5_1 = -t1 * (2.6666666666666665 * x2 - 1.6666666666666667);
+    const double t3 = alpha - 1.0;
+    const double t4 = W3_1 * t3;
+    const double A2 = A * A;
+    const double t5 = W3_3 * beta;
+    const double A4 = A2 * A2;
+    const double t6 = A4 * gamma;
+    const double t7 = W3_5 * t6;
+    const double t8 = 1.2732395447351628 * A;
+    const double t9 = 3.0 * beta;
+    const double t10 = A2 * t9;
+    const double t11 = 1.0 / A2;
+    const double t12 = 1.0 / root;
+    const double u_cr2 = u_cr * u_cr;
+    const double u_cr3 = u_cr * u_cr2;
+    const double t13 = t11 * u_cr2;
+    const double t14 = -4.0 * t13;
+    const double t15 = -t14 - 3.0;
+    const double t16 = gamma * u_cr2;
+    const double t17 = t3 + u_cr2 * (beta + t16);
+    const double t18 = 6.0 * t5;
+    const double t19 = W3_5 * gamma;
+    const double A3 = A * A2;
+    const double t20 = 20.0 * A3;
+    const double t21 = t17 * u_cr3;
+    const double t22 = t12 * t21;
+    const double t23 = 1.0 / A3;
+    const double t24 = t15 * t23;
+    const double root2 = root * root;
+    const double root3 = root * root2;
+    const double t25 = 1.0 / root3;
+    const double t26 = t21 * t25;
+    const double t27 = t0 * t26;
+    const double t28 = t14 + 1.0;
+    const double t29 = -t3 - u_cr2 * (5.0 * t16 + t9);
+    const double t30 = t12 * t29 * u_cr3;
+    const double t31 = 60.0 * A2;
+    const double t32 = 1.0 / A4;
+    const double u_cr4 = u_cr2 * u_cr2;
+    const double u_cr5 = u_cr * u_cr4;
+    const double t33 = 10.0 * t16 + t9;
+    const double t34 = t22 * t32;
+    const double t35 = 3.0 * t28;
+    const double t36 = t30 * t32;
+    const double t37 = 3.0 / root2;
+    const double t38 = W5_1 * t3;
+    const double t39 = W5_3 * beta;
+    const double t40 = W5_5 * t6;
+    const double t41 = t32 * u_cr4;
+    const double t42 = 16.0 * t41;
+    const double t43 = -20.0 * t13 + t42 + 5.0;
+    const double t44 = 6.0 * t39;
+    const double t45 = W5_5 * gamma;
+    const double t46 = t23 * t43;
+    const double t47 = 12.0 * t11 * u_cr2 - t42 - 1.0;
+    const double t48 = 5.0 * t47;
+    *result_0 = -t8 * (A2 * t5 + t4 + t7);
+    *result_1 = 1.2732395447351628 * (-W3_3 * t10 + t11 * t12 * t15 * t17 * u_cr3 - t4 - 5.0 * t7);
+    *result_2 = 1.2732395447351628 * (-A * t18 + 3.0 * t12 * t17 * t23 * t28 * u_cr3 - t15 * t27 - t19 * t20 - t22 *
+        t24 - t24 * t30);
+    *result_3 = 1.2732395447351628 * (t11 * t15 * t25 * t29 * u_cr3 - t11 * t26 * t35 + 2.0 * t12 * t15 * t17 * t32
+        * u_cr3 + 2.0 * t12 * t15 * t29 * t32 * u_cr3 + 2.0 * t12 * t15 * t32 * t33 * u_cr5 + 6.0 * t12 * t17 * t32
+        * u_cr3 * (8.0 * t11 * u_cr2 - 1.0) - t18 - t19 * t31 - t26 * (-t11 * t15 + 3.0 * t11 * t28 - t15 * t37) -
+        6.0 * t28 * t34 - t35 * t36);
+    *result_4 = -t8 * (A2 * t39 + t38 + t40);
+    *result_5 = 1.2732395447351628 * (-W5_3 * t10 + t11 * t12 * t17 * t43 * u_cr3 - t38 - 5.0 * t40);
+    *result_6 = 1.2732395447351628 * (-A * t44 + 5.0 * t12 * t17 * t23 * t47 * u_cr3 - t20 * t45 - t22 * t46 - t27 *
+        t43 - t30 * t46);
+    *result_7 = 1.2732395447351628 * (t11 * t25 * t29 * t43 * u_cr3 - t11 * t26 * t48 + 2.0 * t12 * t17 * t32 * t43
+        * u_cr3 + 10.0 * t12 * t17 * t32 * u_cr3 * (-24.0 * t13 + 48.0 * t41 + 1.0) + 2.0 * t12 * t29 * t32 * t43 *
+        u_cr3 + 2.0 * t12 * t32 * t33 * t43 * u_cr5 - t26 * (-t11 * t43 + 5.0 * t11 * t47 - t37 * t43) - t31 * t45 -
+        10.0 * t34 * t47 - t36 * t48 - t44);
 }
 
 /* h, h_A, h_AA, h_AAA together.
@@ -409,90 +489,17 @@ SF_KERNEL void rod_spring_harmonics_passed_1(double A, const double *p, double *
     const double y = root * t0;
     const double theta = angles_atan2_swapped(root, u_cr);
     const double x2 = x * x;
-    const double x3 = x * x2;
-    const double t1 = x3 * y;
-    const double W3_1 = -t1;
     const double t2 = x * y;
     const double W3_3 = -t2 * (x2 * (0.66666666666666663 * x2 + 0.083333333333333329) + 0.125) + 0.125 * theta;
     const double W3_5 = -t2 * (x2 * (x2 * (0.5 * x2 + 0.083333333333333329) + 0.10416666666666667) + 0.15625) +
         0.15625 * theta;
-    const double W5_1 = -t1 * (2.6666666666666665 * x2 - 1.6666666666666667);
     const double x4 = x2 * x2;
     const double x5 = x * x4;
     const double W5_3 = -x5 * y * (2.0 * x2 - 1.0);
     const double W5_5 = -t2 * (x2 * (x2 * (x2 * (1.6000000000000001 * x2 - 0.69999999999999996) +
         0.016666666666666666) + 0.020833333333333332) + 0.03125) + 0.03125 * theta;
-    const double t3 = alpha - 1.0;
-    const double t4 = W3_1 * t3;
-    const double A2 = A * A;
-    const double t5 = W3_3 * beta;
-    const double A4 = A2 * A2;
-    const double t6 = A4 * gamma;
-    const double t7 = W3_5 * t6;
-    const double t8 = 1.2732395447351628 * A;
-    const double t9 = 3.0 * beta;
-    const double t10 = A2 * t9;
-    const double t11 = 1.0 / A2;
-    const double t12 = 1.0 / root;
-    const double u_cr2 = u_cr * u_cr;
-    const double u_cr3 = u_cr * u_cr2;
-    const double t13 = t11 * u_cr2;
-    const double t14 = -4.0 * t13;
-    const double t15 = -t14 - 3.0;
-    const double t16 = gamma * u_cr2;
-    const double t17 = t3 + u_cr2 * (beta + t16);
-    const double t18 = 6.0 * t5;
-    const double t19 = W3_5 * gamma;
-    const double A3 = A * A2;
-    const double t20 = 20.0 * A3;
-    const double t21 = t17 * u_cr3;
-    const double t22 = t12 * t21;
-    const double t23 = 1.0 / A3;
-    const double t24 = t15 * t23;
-    const double root2 = root * root;
-    const double root3 = root * root2;
-    const double t25 = 1.0 / root3;
-    const double t26 = t21 * t25;
-    const double t27 = t0 * t26;
-    const double t28 = t14 + 1.0;
-    const double t29 = -t3 - u_cr2 * (5.0 * t16 + t9);
-    const double t30 = t12 * t29 * u_cr3;
-    const double t31 = 60.0 * A2;
-    const double t32 = 1.0 / A4;
-    const double u_cr4 = u_cr2 * u_cr2;
-    const double u_cr5 = u_cr * u_cr4;
-    const double t33 = 10.0 * t16 + t9;
-    const double t34 = t22 * t32;
-    const double t35 = 3.0 * t28;
-    const double t36 = t30 * t32;
-    const double t37 = 3.0 / root2;
-    const double t38 = W5_1 * t3;
-    const double t39 = W5_3 * beta;
-    const double t40 = W5_5 * t6;
-    const double t41 = t32 * u_cr4;
-    const double t42 = 16.0 * t41;
-    const double t43 = -20.0 * t13 + t42 + 5.0;
-    const double t44 = 6.0 * t39;
-    const double t45 = W5_5 * gamma;
-    const double t46 = t23 * t43;
-    const double t47 = 12.0 * t11 * u_cr2 - t42 - 1.0;
-    const double t48 = 5.0 * t47;
-    out[0] = -t8 * (A2 * t5 + t4 + t7);
-    out[1] = 1.2732395447351628 * (-W3_3 * t10 + t11 * t12 * t15 * t17 * u_cr3 - t4 - 5.0 * t7);
-    out[2] = 1.2732395447351628 * (-A * t18 + 3.0 * t12 * t17 * t23 * t28 * u_cr3 - t15 * t27 - t19 * t20 - t22 *
-        t24 - t24 * t30);
-    out[3] = 1.2732395447351628 * (t11 * t15 * t25 * t29 * u_cr3 - t11 * t26 * t35 + 2.0 * t12 * t15 * t17 * t32 *
-        u_cr3 + 2.0 * t12 * t15 * t29 * t32 * u_cr3 + 2.0 * t12 * t15 * t32 * t33 * u_cr5 + 6.0 * t12 * t17 * t32 *
-        u_cr3 * (8.0 * t11 * u_cr2 - 1.0) - t18 - t19 * t31 - t26 * (-t11 * t15 + 3.0 * t11 * t28 - t15 * t37) - 6.0
-        * t28 * t34 - t35 * t36);
-    out[4] = -t8 * (A2 * t39 + t38 + t40);
-    out[5] = 1.2732395447351628 * (-W5_3 * t10 + t11 * t12 * t17 * t43 * u_cr3 - t38 - 5.0 * t40);
-    out[6] = 1.2732395447351628 * (-A * t44 + 5.0 * t12 * t17 * t23 * t47 * u_cr3 - t20 * t45 - t22 * t46 - t27 *
-        t43 - t30 * t46);
-    out[7] = 1.2732395447351628 * (t11 * t25 * t29 * t43 * u_cr3 - t11 * t26 * t48 + 2.0 * t12 * t17 * t32 * t43 *
-        u_cr3 + 10.0 * t12 * t17 * t32 * u_cr3 * (-24.0 * t13 + 48.0 * t41 + 1.0) + 2.0 * t12 * t29 * t32 * t43 *
-        u_cr3 + 2.0 * t12 * t32 * t33 * t43 * u_cr5 - t26 * (-t11 * t43 + 5.0 * t11 * t47 - t37 * t43) - t31 * t45 -
-        10.0 * t34 * t47 - t36 * t48 - t44);
+    rod_spring_common_2(A, W3_3, W3_5, W5_3, W5_5, alpha, beta, gamma, root, u_cr, x, y, &out[0], &out[1], &out[2],
+        &out[3], &out[4], &out[5], &out[6], &out[7]);
 }
 
 SF_KERNEL void rod_spring_harmonics_passed_1_far_1(double A, const double *p, double *out)
@@ -527,84 +534,12 @@ SF_KERNEL void rod_spring_harmonics_passed_1_far_1(double A, const double *p, do
     const double x5 = x * x4;
     const double t1 = x5 * y;
     const double M4 = 1.2 * M6 + 0.20000000000000001 * t1;
-    const double t2 = x3 * y;
-    const double W3_1 = -t2;
     const double W3_3 = -3.0 * M4 + 4.0 * M6;
     const double W3_5 = -3.0 * M6 + 4.0 * M8;
-    const double W5_1 = -t2 * (2.6666666666666665 * x2 - 1.6666666666666667);
     const double W5_3 = -t1 * (2.0 * x2 - 1.0);
     const double W5_5 = 16.0 * M10 + 5.0 * M6 - 20.0 * M8;
-    const double t3 = alpha - 1.0;
-    const double t4 = W3_1 * t3;
-    const double A2 = A * A;
-    const double t5 = W3_3 * beta;
-    const double A4 = A2 * A2;
-    const double t6 = A4 * gamma;
-    const double t7 = W3_5 * t6;
-    const double t8 = 1.2732395447351628 * A;
-    const double t9 = 3.0 * beta;
-    const double t10 = A2 * t9;
-    const double t11 = 1.0 / A2;
-    const double t12 = 1.0 / root;
-    const double u_cr2 = u_cr * u_cr;
-    const double u_cr3 = u_cr * u_cr2;
-    const double t13 = t11 * u_cr2;
-    const double t14 = -4.0 * t13;
-    const double t15 = -t14 - 3.0;
-    const double t16 = gamma * u_cr2;
-    const double t17 = t3 + u_cr2 * (beta + t16);
-    const double t18 = 6.0 * t5;
-    const double t19 = W3_5 * gamma;
-    const double A3 = A * A2;
-    const double t20 = 20.0 * A3;
-    const double t21 = t17 * u_cr3;
-    const double t22 = t12 * t21;
-    const double t23 = 1.0 / A3;
-    const double t24 = t15 * t23;
-    const double root2 = root * root;
-    const double root3 = root * root2;
-    const double t25 = 1.0 / root3;
-    const double t26 = t21 * t25;
-    const double t27 = t0 * t26;
-    const double t28 = t14 + 1.0;
-    const double t29 = -t3 - u_cr2 * (5.0 * t16 + t9);
-    const double t30 = t12 * t29 * u_cr3;
-    const double t31 = 60.0 * A2;
-    const double t32 = 1.0 / A4;
-    const double u_cr4 = u_cr2 * u_cr2;
-    const double u_cr5 = u_cr * u_cr4;
-    const double t33 = 10.0 * t16 + t9;
-    const double t34 = t22 * t32;
-    const double t35 = 3.0 * t28;
-    const double t36 = t30 * t32;
-    const double t37 = 3.0 / root2;
-    const double t38 = W5_1 * t3;
-    const double t39 = W5_3 * beta;
-    const double t40 = W5_5 * t6;
-    const double t41 = t32 * u_cr4;
-    const double t42 = 16.0 * t41;
-    const double t43 = -20.0 * t13 + t42 + 5.0;
-    const double t44 = 6.0 * t39;
-    const double t45 = W5_5 * gamma;
-    const double t46 = t23 * t43;
-    const double t47 = 12.0 * t11 * u_cr2 - t42 - 1.0;
-    const double t48 = 5.0 * t47;
-    out[0] = -t8 * (A2 * t5 + t4 + t7);
-    out[1] = 1.2732395447351628 * (-W3_3 * t10 + t11 * t12 * t15 * t17 * u_cr3 - t4 - 5.0 * t7);
-    out[2] = 1.2732395447351628 * (-A * t18 + 3.0 * t12 * t17 * t23 * t28 * u_cr3 - t15 * t27 - t19 * t20 - t22 *
-        t24 - t24 * t30);
-    out[3] = 1.2732395447351628 * (t11 * t15 * t25 * t29 * u_cr3 - t11 * t26 * t35 + 2.0 * t12 * t15 * t17 * t32 *
-        u_cr3 + 2.0 * t12 * t15 * t29 * t32 * u_cr3 + 2.0 * t12 * t15 * t32 * t33 * u_cr5 + 6.0 * t12 * t17 * t32 *
-        u_cr3 * (8.0 * t11 * u_cr2 - 1.0) - t18 - t19 * t31 - t26 * (-t11 * t15 + 3.0 * t11 * t28 - t15 * t37) - 6.0
-        * t28 * t34 - t35 * t36);
-    out[4] = -t8 * (A2 * t39 + t38 + t40);
-    out[5] = 1.2732395447351628 * (-W5_3 * t10 + t11 * t12 * t17 * t43 * u_cr3 - t38 - 5.0 * t40);
-    out[6] = 1.2732395447351628 * (-A * t44 + 5.0 * t12 * t17 * t23 * t47 * u_cr3 - t20 * t45 - t22 * t46 - t27 *
-        t43 - t30 * t46);
-    out[7] = 1.2732395447351628 * (t11 * t25 * t29 * t43 * u_cr3 - t11 * t26 * t48 + 2.0 * t12 * t17 * t32 * t43 *
-        u_cr3 + 10.0 * t12 * t17 * t32 * u_cr3 * (-24.0 * t13 + 48.0 * t41 + 1.0) + 2.0 * t12 * t29 * t32 * t43 *
-        u_cr3 + 2.0 * t12 * t32 * t33 * t43 * u_cr5 - t26 * (-t11 * t43 + 5.0 * t11 * t47 - t37 * t43) - t31 * t45 -
-        10.0 * t34 * t47 - t36 * t48 - t44);
+    rod_spring_common_2(A, W3_3, W3_5, W5_3, W5_5, alpha, beta, gamma, root, u_cr, x, y, &out[0], &out[1], &out[2],
+        &out[3], &out[4], &out[5], &out[6], &out[7]);
 }
 
 SF_KERNEL void rod_spring_harmonics(double A, const double *p, double *out)

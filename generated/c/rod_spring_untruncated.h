@@ -3,12 +3,8 @@
    Written by `make derive` from derivations/mechanisms/rod_spring_untruncated.py, derivations/asymmetric/curved.py;
    never edit.
 
-   Everything is dimensionless. C99. `p` holds the mechanism's parameters in their order, `out` takes the outputs.
-   Regimes: passed_n where A exceeds n breakpoints, far_k where it exceeds k of them 21/20 times.
-   Operations are those in floating point. Bounds of rounding errors, output by output, are proved for all arguments
-   where nothing overflows or underflows (derivations/codegen/rounding.py).
-   Others are measured: the worst error of all outputs that was found, by a search that rod_spring_untruncated.py describes.
-   u = 2^-53, kappa is the relative condition number of an output in all arguments. */
+   What arguments and comments mean is in inline.h. Regimes: passed_n where A exceeds n breakpoints, far_k where it
+   exceeds k of them 21/20 times. */
 
 #ifndef ROD_SPRING_UNTRUNCATED_H
 #define ROD_SPRING_UNTRUNCATED_H
@@ -386,6 +382,37 @@ SF_COMMON void rod_spring_untruncated_common_1(double A, double delta_h, double 
     *V8_out = V8;
 }
 
+/* The outputs of averaged_all_passed_1, averaged_all_passed_1_steeper. */
+SF_COMMON void rod_spring_untruncated_common_2(double A, double T, double beta, double c, double root, double sum_0,
+    double sum_1, double sum_2, double sum_3, double u_cr, double *result_0, double *result_1, double *result_2,
+    double *result_3, double *result_4, double *result_5, double *result_6)
+{
+    const double t0 = T * T;
+    const double A2 = A * A;
+    const double u_cr2 = u_cr * u_cr;
+    const double T3 = T * t0;
+    const double T4 = t0 * t0;
+    const double T5 = T * T4;
+    const double u_cr4 = u_cr2 * u_cr2;
+    const double u_cr5 = u_cr * u_cr4;
+    const double A3 = A * A2;
+    const double c2 = c * c;
+    const double c3 = c * c2;
+    const double root2 = root * root;
+    const double root3 = root * root2;
+    const double A4 = A2 * A2;
+    const double c4 = c2 * c2;
+    const double c5 = c * c4;
+    *result_0 = 20.371832715762604 * A * T3 * beta * sum_0 * u_cr2 / c - A;
+    *result_1 = -2.5464790894703255 * beta * (32.0 * A2 * T5 * sum_1 - 8.0 * T3 * sum_0 * u_cr2 / c) - 1.0;
+    *result_2 = -2.5464790894703255 * beta * (96.0 * A * T5 * sum_2 - u_cr5 / (A3 * c3 * root));
+    *result_3 = -2.5464790894703255 * beta * (96.0 * T5 * sum_3 - 3.0 * u_cr5 / (A4 * c5 * root) + 3.0 * u_cr5 / (A4
+        * c3 * root) + u_cr5 / (A2 * c3 * root3));
+    *result_4 = 20.371832715762604 * A * T3 * beta * sum_0 * u_cr2 / c;
+    *result_5 = -2.5464790894703255 * beta * (32.0 * A2 * T5 * sum_1 - 8.0 * T3 * sum_0 * u_cr2 / c);
+    *result_6 = 81.487330863050417 * A3 * T5 * beta * sum_1;
+}
+
 /* Terms of int sin^2 tan^(2n) (1/c - 1/Delta) at a node, by n. */
 SF_COMMON void rod_spring_untruncated_far_node(const double *row, double c, double T2, double U2, double *W,
     double *Wq, double *Wq_2, double *Wq_3)
@@ -702,28 +729,8 @@ SF_KERNEL void rod_spring_untruncated_averaged_all_passed_1(double A, const doub
     for (int k = 0; k < 15; k++)
         rod_spring_untruncated_near_node(rod_spring_untruncated_nodes_1[k], c, t0, U2, &sum_0, &sum_1, &sum_2,
             &sum_3);
-    const double u_cr2 = u_cr * u_cr;
-    const double T3 = T * t0;
-    const double T4 = t0 * t0;
-    const double T5 = T * T4;
-    const double u_cr4 = u_cr2 * u_cr2;
-    const double u_cr5 = u_cr * u_cr4;
-    const double A3 = A * A2;
-    const double c2 = c * c;
-    const double c3 = c * c2;
-    const double root2 = root * root;
-    const double root3 = root * root2;
-    const double A4 = A2 * A2;
-    const double c4 = c2 * c2;
-    const double c5 = c * c4;
-    out[0] = 20.371832715762604 * A * T3 * beta * sum_0 * u_cr2 / c - A;
-    out[1] = -2.5464790894703255 * beta * (32.0 * A2 * T5 * sum_1 - 8.0 * T3 * sum_0 * u_cr2 / c) - 1.0;
-    out[2] = -2.5464790894703255 * beta * (96.0 * A * T5 * sum_2 - u_cr5 / (A3 * c3 * root));
-    out[3] = -2.5464790894703255 * beta * (96.0 * T5 * sum_3 - 3.0 * u_cr5 / (A4 * c5 * root) + 3.0 * u_cr5 / (A4
-        * c3 * root) + u_cr5 / (A2 * c3 * root3));
-    out[4] = 20.371832715762604 * A * T3 * beta * sum_0 * u_cr2 / c;
-    out[5] = -2.5464790894703255 * beta * (32.0 * A2 * T5 * sum_1 - 8.0 * T3 * sum_0 * u_cr2 / c);
-    out[6] = 81.487330863050417 * A3 * T5 * beta * sum_1;
+    rod_spring_untruncated_common_2(A, T, beta, c, root, sum_0, sum_1, sum_2, sum_3, u_cr, &out[0], &out[1],
+        &out[2], &out[3], &out[4], &out[5], &out[6]);
 }
 
 SF_KERNEL void rod_spring_untruncated_averaged_all_passed_1_steeper_far(double A, const double *p, double *out)
@@ -772,27 +779,8 @@ SF_KERNEL void rod_spring_untruncated_averaged_all_passed_1_steeper(double A, co
     for (int k = 0; k < 24; k++)
         rod_spring_untruncated_near_node(rod_spring_untruncated_nodes_2[k], c, t0, U2, &sum_0, &sum_1, &sum_2,
             &sum_3);
-    const double u_cr2 = u_cr * u_cr;
-    const double T3 = T * t0;
-    const double T4 = t0 * t0;
-    const double T5 = T * T4;
-    const double u_cr4 = u_cr2 * u_cr2;
-    const double u_cr5 = u_cr * u_cr4;
-    const double A3 = A * A2;
-    const double c3 = c * c2;
-    const double root2 = root * root;
-    const double root3 = root * root2;
-    const double A4 = A2 * A2;
-    const double c4 = c2 * c2;
-    const double c5 = c * c4;
-    out[0] = 20.371832715762604 * A * T3 * beta * sum_0 * u_cr2 / c - A;
-    out[1] = -2.5464790894703255 * beta * (32.0 * A2 * T5 * sum_1 - 8.0 * T3 * sum_0 * u_cr2 / c) - 1.0;
-    out[2] = -2.5464790894703255 * beta * (96.0 * A * T5 * sum_2 - u_cr5 / (A3 * c3 * root));
-    out[3] = -2.5464790894703255 * beta * (96.0 * T5 * sum_3 - 3.0 * u_cr5 / (A4 * c5 * root) + 3.0 * u_cr5 / (A4
-        * c3 * root) + u_cr5 / (A2 * c3 * root3));
-    out[4] = 20.371832715762604 * A * T3 * beta * sum_0 * u_cr2 / c;
-    out[5] = -2.5464790894703255 * beta * (32.0 * A2 * T5 * sum_1 - 8.0 * T3 * sum_0 * u_cr2 / c);
-    out[6] = 81.487330863050417 * A3 * T5 * beta * sum_1;
+    rod_spring_untruncated_common_2(A, T, beta, c, root, sum_0, sum_1, sum_2, sum_3, u_cr, &out[0], &out[1],
+        &out[2], &out[3], &out[4], &out[5], &out[6]);
 }
 
 SF_KERNEL void rod_spring_untruncated_averaged_all_passed_1_steep_far(double A, const double *p, double *out)

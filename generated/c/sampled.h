@@ -2,11 +2,7 @@
 
    Written by `make derive` from derivations/forces/quadrature.py, derivations/forces/sampled.py; never edit.
 
-   Everything is dimensionless. C99. `p` holds the mechanism's parameters in their order, `out` takes the outputs.
-   Operations are those in floating point. Bounds of rounding errors, output by output, are proved for all arguments
-   where nothing overflows or underflows (derivations/codegen/rounding.py).
-   Others are measured: the worst error of all outputs that was found, by a search that sampled.py describes.
-   u = 2^-53, kappa is the relative condition number of an output in all arguments. */
+   What arguments and comments mean is in inline.h. */
 
 #ifndef SAMPLED_H
 #define SAMPLED_H
@@ -14,6 +10,11 @@
 #include <math.h>
 
 #include "inline.h"
+
+#include "arithmetic_doubles.h"
+#define OF(name) sampled_##name
+#include "sampled_generic.h"
+#include "arithmetic_end.h"
 
 /* h as A tends to 0.
    Equation (20). Domain: any. Operations: 1. Error / u (1 + kappa): measured 0.73. */

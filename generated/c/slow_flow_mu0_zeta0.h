@@ -4,11 +4,7 @@
    derivations/asymmetric/offset.py, derivations/systems/along.py, derivations/systems/slopes.py,
    derivations/systems/newton.py, derivations/paper/critical_forcings.py; never edit.
 
-   Everything is dimensionless. C99. `p` holds the mechanism's parameters in their order, `out` takes the outputs.
-   Operations are those in floating point. Bounds of rounding errors, output by output, are proved for all arguments
-   where nothing overflows or underflows (derivations/codegen/rounding.py).
-   Others are measured: the worst error of all outputs that was found, by a search that slow_flow_mu0_zeta0.py describes.
-   u = 2^-53, kappa is the relative condition number of an output in all arguments. */
+   What arguments and comments mean is in inline.h. */
 
 #ifndef SLOW_FLOW_MU0_ZETA0_H
 #define SLOW_FLOW_MU0_ZETA0_H

@@ -12,7 +12,8 @@
     NUMBERS(of, far, 9, 4) NUMBER(of, F_OmegaOmega, 7) NUMBER(of, F_AOmegaOmega, 10) NUMBER(of, Omega_A, 10) \
     NUMBER(of, Omega_A_by_inertia, 10) NUMBER(of, cusp_bend, 16) NUMBERS(of, isola_bend, 13, 2) \
     NUMBERS(of, static, 5, 4) NUMBERS(of, response_polynomial, 6, 7) NUMBERS(of, fold_polynomial, 9, 7) \
-    NUMBER(of, F_A_halved, 4) NUMBER(of, R_of_peak, 6) NUMBER(of, cusp_bend_by_inertia, 16) \
+    NUMBER(of, turn_share, 7) NUMBER(of, F_A_halved, 4) NUMBER(of, R_of_response, 2) NUMBER(of, R_of_peak, 6) \
+    NUMBERS(of, R_where_stationary, 5, 3) NUMBER(of, cusp_bend_by_inertia, 16) \
     NUMBERS(of, isola_bend_by_inertia, 13, 2) NUMBERS(of, structural_bound, 5, 2) NUMBER(of, quadratic_bound, 2) \
     NUMBERS(of, folds_by_R, 21, 6) NUMBERS(of, peaks_by_R, 21, 6) NUMBERS(of, cusps_by_R, 21, 6) \
     NUMBERS(of, isolas_by_R, 21, 6) NUMBERS(of, turns_by_R, 21, 6) NUMBERS(of, folds_by_Omega, 21, 6) \

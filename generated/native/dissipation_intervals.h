@@ -3,8 +3,7 @@
    Written by `make derive` from derivations/paper/averaging.py, derivations/paper/slow_flow.py,
    derivations/extensions/dissipation.py; never edit.
 
-   Each output holds every value that the function of the same name takes on the arguments; `out` takes the outputs.
-   Equations and domains that are not stated here are those of dissipation.h. */
+   Each output holds every value that the function of the same name takes on the arguments; `out` takes the outputs. */
 
 #ifndef DISSIPATION_INTERVALS_H
 #define DISSIPATION_INTERVALS_H
@@ -14,41 +13,6 @@
 #include "arithmetic_intervals.h"
 #define OF(name) dissipation_intervals_##name
 #include "dissipation_generic.h"
-
-/* D/Omega^2 at x = 1/Omega, where F_AOmega/(4 Omega) = R + A R_A + D without cubic damping. */
-static inline sf_interval dissipation_intervals_turn_share(sf_interval x, sf_interval A, sf_interval I_0, sf_interval I_0A, sf_interval zeta, sf_interval zeta_A, sf_interval d)
-{
-    const sf_interval A2 = SQUARE(A);
-    const sf_interval A3 = MUL(A, A2);
-    const sf_interval t0 = MUL(A, I_0);
-    const sf_interval t1 = MUL(A2, d);
-    const sf_interval x2 = SQUARE(x);
-    const sf_interval x3 = MUL(x, x2);
-    return ADD(ADD(ADD(BY_SQUARE(TIMES(4.0, A3), d), MUL(x, ADD(MUL(MUL(TIMES(3.0, A3), d), zeta_A),
-        MUL(TIMES(9.0, t1), zeta)))), MUL(x2, ADD(ADD(ADD(BY_SQUARE(TIMES(4.0, A), zeta), MUL(MUL(TIMES(4.0, A2),
-        zeta), zeta_A)), MUL(I_0A, t1)), MUL(TIMES(2.0, d), t0)))), MUL(x3, ADD(ADD(MUL(MUL(A, I_0A), zeta),
-        MUL(I_0, zeta)), MUL(t0, zeta_A))));
-}
-
-/* The size of R where F = 0. */
-static inline sf_interval dissipation_intervals_R_of_response(sf_interval F_0, sf_interval I_)
-{
-    return SQRT(SUB(SQUARE(F_0), SQUARE(I_)));
-}
-
-/* Where a level by inertia is stationary, x = 1/Omega: what is not negative, lower and higher R/Omega^2. */
-static inline void dissipation_intervals_R_where_stationary(sf_interval x, sf_interval A, sf_interval I_0, sf_interval zeta, sf_interval d, sf_interval *out)
-{
-    const sf_interval t0 = SQUARE(A);
-    const sf_interval t1 = MUL(A, zeta);
-    const sf_interval t2 = MUL(MUL(x, ADD(MUL(I_0, x), t1)), ADD(ADD(BY_SQUARE(I_0, x), MUL(d, t0)), MUL(TIMES(2.0, t1),
-        x)));
-    const sf_interval t3 = SUB(t0, TIMES(4.0, t2));
-    const sf_interval t4 = ADD(TIMES(0.5, A), TIMES(0.5, SQRT(t3)));
-    out[0] = t3;
-    out[1] = DIV(t2, t4);
-    out[2] = t4;
-}
 
 /* I_0 - A I_0A: friction acts throughout.
    Equation from (19). Domain: A > 0. */

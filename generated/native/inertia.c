@@ -12,8 +12,8 @@
     NUMBER(of, F, 6) NUMBER(of, level_slope, 5) NUMBER(of, Omega_A, 6) NUMBERS(of, terms, 4, 3) NUMBER(of, least, 3) \
     NUMBER(of, least_Omega_A, 6) NUMBERS(of, peak, 7, 2) NUMBERS(of, isola, 7, 2) NUMBER(of, isola_apart, 7) \
     NUMBERS(of, fold_slopes, 5, 3) NUMBER(of, fold_force, 5) NUMBER(of, fold_level, 5) NUMBER(of, peak_share, 4) \
-    NUMBER(of, Omega_of_share, 5) NUMBER(of, level_rise, 7) NUMBER(of, cusp_bend, 8) NUMBER(of, hessian, 7) \
-    NUMBERS(of, bound, 8, 4) NUMBER(of, share, 3)
+    NUMBER(of, Omega_of_share, 5) NUMBER(of, cusp_bend, 8) NUMBER(of, hessian, 7) NUMBERS(of, bound, 8, 4) \
+    NUMBER(of, share, 3)
 
 KERNELS(SF_NUMBER, SF_NUMBERS, inertia)
 

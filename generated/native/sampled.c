@@ -9,7 +9,9 @@
 /* name, number of arguments and, where there are several, of results */
 #define KERNELS(NUMBER, NUMBERS, of) \
     NUMBERS(of, averaged_terms, 5, 4) NUMBERS(of, averaged_end, 5, 3) NUMBER(of, intercept_terms, 4) \
-    NUMBER(of, intercept_end, 4) NUMBERS(of, harmonics_terms, 5, 8) NUMBERS(of, harmonics_end, 5, 6)
+    NUMBER(of, intercept_end, 4) NUMBERS(of, harmonics_terms, 5, 8) NUMBERS(of, harmonics_end, 5, 6) \
+    NUMBERS(of, bent_terms, 3, 2) NUMBER(of, bent_end_0, 6) NUMBER(of, bent_end_1, 5) NUMBER(of, bent_end_2, 4) \
+    NUMBER(of, bent_end_3, 3)
 
 KERNELS(SF_NUMBER, SF_NUMBERS, sampled)
 

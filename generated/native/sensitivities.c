@@ -8,7 +8,7 @@
 
 /* name, number of arguments and, where there are several, of results */
 #define KERNELS(NUMBER, NUMBERS, of) \
-    NUMBERS(of, of_state, 21, 2) NUMBERS(of, by_force, 2, 7) NUMBERS(of, by_inertia, 2, 7)
+    NUMBERS(of, right, 27, 8) NUMBERS(of, of_state, 21, 2) NUMBERS(of, by_force, 2, 7) NUMBERS(of, by_inertia, 2, 7)
 
 KERNELS(SF_NUMBER, SF_NUMBERS, sensitivities)
 

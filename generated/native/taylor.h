@@ -13,6 +13,7 @@ static const double sf_gauss_node[SF_NODES] = {0.96028985649753629, 0.7966664774
 static const double sf_gauss_weight[SF_NODES] = {0.10122853629037626, 0.22238103445337448, 0.31370664587788727, 0.36268378337836199};
 
 #include "exact/step.h"
+#include "inline.h"
 
 /* Coefficient n of what is made of series a, b: numbers of series, and of sums over lower coefficients. */
 static SF_INLINE double sf_product(const sf_coefficients *c, int a, int b, int k)
@@ -54,27 +55,24 @@ static SF_INLINE double sf_of_rate(const sf_coefficients *c, int a, int b, int k
     return (sf_lane(c->sum, k) + (c->second[a] * c->last[b] + (c->n - 1.0) * c->last[a] * c->second[b]) + c->n * c->w[a] * c->first[b]) * sf_over[c->n];
 }
 
+SF_FAMILY_BEGIN
+
 /* duffing: Piece 1 of the whole restoring force u + F_k(u). Equation (3), (5). */
 static double duffing_force_1_value(const sf_law *self, const double *p, double u)
 {
-    (void)self;
-    const double alpha = p[0];
-    const double beta = p[1];
+    const double alpha = p[0], beta = p[1];
     return u * (alpha + beta * u * u);
 }
 
 static double duffing_force_1_slope(const sf_law *self, const double *p, double u)
 {
-    (void)self;
-    const double alpha = p[0];
-    const double beta = p[1];
+    const double alpha = p[0], beta = p[1];
     return alpha + 3.0 * beta * u * u;
 }
 
 static int duffing_force_1_powers(const double *p, double *c)
 {
-    const double alpha = p[0];
-    const double beta = p[1];
+    const double alpha = p[0], beta = p[1];
     c[0] = 0.0;
     c[1] = alpha;
     c[2] = 0.0;
@@ -85,9 +83,7 @@ static int duffing_force_1_powers(const double *p, double *c)
 
 static SF_INLINE void duffing_force_1_begin(const double *p, double *first, double *over)
 {
-    (void)over;
-    const double alpha = p[0];
-    const double beta = p[1];
+    const double alpha = p[0], beta = p[1];
     first[1] = first[0] * first[0];
     first[2] = alpha + beta * first[1];
     first[3] = first[0] * first[2];
@@ -106,9 +102,7 @@ static SF_INLINE void duffing_force_1_next(const sf_coefficients *c, const doubl
 
 static SF_INLINE void duffing_force_1_both_begin(const double *p, double *first, double *over)
 {
-    (void)over;
-    const double alpha = p[0];
-    const double beta = p[1];
+    const double alpha = p[0], beta = p[1];
     first[1] = first[0] * first[0];
     first[2] = beta * first[1];
     first[3] = alpha + first[2];
@@ -140,35 +134,26 @@ SF_FMA static void duffing_force_1(const sf_law *self, const double *p, const sf
     else
         sf_expand(duffing_force_1_both_begin, duffing_force_1_both_next,
             p, drive, theta, u, v, flow, 6, 1, 4, 5, 0, over, w, left, right, x);
-    (void)self;
 }
 
 /* rod_spring: Piece 1 of the whole restoring force u + F_k(u). Equation (3), (6). */
 static double rod_spring_force_1_value(const sf_law *self, const double *p, double u)
 {
-    (void)self;
-    const double alpha = p[0];
-    const double beta = p[1];
-    const double gamma = p[2];
+    const double alpha = p[0], beta = p[1], gamma = p[2];
     const double t0 = u * u;
     return u * (alpha + t0 * (beta + gamma * t0));
 }
 
 static double rod_spring_force_1_slope(const sf_law *self, const double *p, double u)
 {
-    (void)self;
-    const double alpha = p[0];
-    const double beta = p[1];
-    const double gamma = p[2];
+    const double alpha = p[0], beta = p[1], gamma = p[2];
     const double t0 = u * u;
     return alpha + t0 * (3.0 * beta + 5.0 * gamma * t0);
 }
 
 static int rod_spring_force_1_powers(const double *p, double *c)
 {
-    const double alpha = p[0];
-    const double beta = p[1];
-    const double gamma = p[2];
+    const double alpha = p[0], beta = p[1], gamma = p[2];
     c[0] = 0.0;
     c[1] = alpha;
     c[2] = 0.0;
@@ -181,10 +166,7 @@ static int rod_spring_force_1_powers(const double *p, double *c)
 
 static SF_INLINE void rod_spring_force_1_begin(const double *p, double *first, double *over)
 {
-    (void)over;
-    const double alpha = p[0];
-    const double beta = p[1];
-    const double gamma = p[2];
+    const double alpha = p[0], beta = p[1], gamma = p[2];
     first[1] = first[0] * first[0];
     first[2] = beta + gamma * first[1];
     first[3] = first[1] * first[2];
@@ -207,10 +189,7 @@ static SF_INLINE void rod_spring_force_1_next(const sf_coefficients *c, const do
 
 static SF_INLINE void rod_spring_force_1_both_begin(const double *p, double *first, double *over)
 {
-    (void)over;
-    const double alpha = p[0];
-    const double beta = p[1];
-    const double gamma = p[2];
+    const double alpha = p[0], beta = p[1], gamma = p[2];
     first[1] = first[0] * first[0];
     first[2] = gamma * first[1];
     first[3] = beta + first[2];
@@ -250,25 +229,21 @@ SF_FMA static void rod_spring_force_1(const sf_law *self, const double *p, const
     else
         sf_expand(rod_spring_force_1_both_begin, rod_spring_force_1_both_next,
             p, drive, theta, u, v, flow, 10, 1, 6, 9, 0, over, w, left, right, x);
-    (void)self;
 }
 
 /* rod_spring: Piece 2 of the whole restoring force u + F_k(u). Equation (3), (6). */
 static double rod_spring_force_2_value(const sf_law *self, const double *p, double u)
 {
-    (void)self, (void)p;
     return u;
 }
 
 static double rod_spring_force_2_slope(const sf_law *self, const double *p, double u)
 {
-    (void)self, (void)p, (void)u;
     return 1.0;
 }
 
 static int rod_spring_force_2_powers(const double *p, double *c)
 {
-    (void)p;
     c[0] = 0.0;
     c[1] = 1.0;
     return 1;
@@ -277,25 +252,21 @@ static int rod_spring_force_2_powers(const double *p, double *c)
 
 static SF_INLINE void rod_spring_force_2_begin(const double *p, double *first, double *over)
 {
-    (void)p, (void)first, (void)over;
 }
 
 static SF_INLINE void rod_spring_force_2_next(const sf_coefficients *c, const double *p, double *w,
     sf_four *left, sf_four *right)
 {
-    (void)c, (void)p, (void)w, (void)left, (void)right;
 }
 
 static SF_INLINE void rod_spring_force_2_both_begin(const double *p, double *first, double *over)
 {
-    (void)p, (void)over;
     first[1] = 1.0;
 }
 
 static SF_INLINE void rod_spring_force_2_both_next(const sf_coefficients *c, const double *p, double *w,
     sf_four *left, sf_four *right)
 {
-    (void)c, (void)p, (void)left, (void)right;
     w[1] = 0.0;
 }
 
@@ -310,24 +281,19 @@ SF_FMA static void rod_spring_force_2(const sf_law *self, const double *p, const
     else
         sf_expand(rod_spring_force_2_both_begin, rod_spring_force_2_both_next,
             p, drive, theta, u, v, flow, 2, 0, 0, 1, 1, over, w, left, right, x);
-    (void)self;
 }
 
 /* rod_spring_untruncated: Piece 1 of the whole restoring force u + F_k(u). Equation (3), (5). */
 static double rod_spring_untruncated_force_1_value(const sf_law *self, const double *p, double u)
 {
-    (void)self;
-    const double alpha = p[0];
-    const double beta = p[1];
+    const double alpha = p[0], beta = p[1];
     const double t0 = sqrt((1.0 - u) * (u + 1.0));
     return u * (alpha + 2.0 * beta * u * u / (t0 * (t0 + 1.0)));
 }
 
 static double rod_spring_untruncated_force_1_slope(const sf_law *self, const double *p, double u)
 {
-    (void)self;
-    const double alpha = p[0];
-    const double beta = p[1];
+    const double alpha = p[0], beta = p[1];
     const double root_1 = sqrt((1.0 - u) * (u + 1.0));
     const double t0 = root_1 + 1.0;
     const double t1 = 1.0 / t0;
@@ -339,9 +305,7 @@ static double rod_spring_untruncated_force_1_slope(const sf_law *self, const dou
 
 static double rod_spring_untruncated_force_1_secant(const sf_law *self, const double *p, double u)
 {
-    (void)self;
-    const double alpha = p[0];
-    const double beta = p[1];
+    const double alpha = p[0], beta = p[1];
     const double t0 = sqrt((1.0 - u) * (u + 1.0));
     return alpha + 2.0 * beta * u * u / (t0 * (t0 + 1.0));
 }
@@ -426,25 +390,21 @@ SF_FMA static void rod_spring_untruncated_force_1(const sf_law *self, const doub
     else
         sf_expand(rod_spring_untruncated_force_1_both_begin, rod_spring_untruncated_force_1_both_next,
             p, drive, theta, u, v, flow, 12, 2, 8, 11, 0, over, w, left, right, x);
-    (void)self;
 }
 
 /* rod_spring_untruncated: Piece 2 of the whole restoring force u + F_k(u). Equation (3), (5). */
 static double rod_spring_untruncated_force_2_value(const sf_law *self, const double *p, double u)
 {
-    (void)self, (void)p;
     return u;
 }
 
 static double rod_spring_untruncated_force_2_slope(const sf_law *self, const double *p, double u)
 {
-    (void)self, (void)p, (void)u;
     return 1.0;
 }
 
 static int rod_spring_untruncated_force_2_powers(const double *p, double *c)
 {
-    (void)p;
     c[0] = 0.0;
     c[1] = 1.0;
     return 1;
@@ -453,25 +413,21 @@ static int rod_spring_untruncated_force_2_powers(const double *p, double *c)
 
 static SF_INLINE void rod_spring_untruncated_force_2_begin(const double *p, double *first, double *over)
 {
-    (void)p, (void)first, (void)over;
 }
 
 static SF_INLINE void rod_spring_untruncated_force_2_next(const sf_coefficients *c, const double *p, double *w,
     sf_four *left, sf_four *right)
 {
-    (void)c, (void)p, (void)w, (void)left, (void)right;
 }
 
 static SF_INLINE void rod_spring_untruncated_force_2_both_begin(const double *p, double *first, double *over)
 {
-    (void)p, (void)over;
     first[1] = 1.0;
 }
 
 static SF_INLINE void rod_spring_untruncated_force_2_both_next(const sf_coefficients *c, const double *p, double *w,
     sf_four *left, sf_four *right)
 {
-    (void)c, (void)p, (void)left, (void)right;
     w[1] = 0.0;
 }
 
@@ -486,8 +442,9 @@ SF_FMA static void rod_spring_untruncated_force_2(const sf_law *self, const doub
     else
         sf_expand(rod_spring_untruncated_force_2_both_begin, rod_spring_untruncated_force_2_both_next,
             p, drive, theta, u, v, flow, 2, 0, 0, 1, 1, over, w, left, right, x);
-    (void)self;
 }
+
+SF_FAMILY_END
 
 enum { SF_LAWS = 5 };
 

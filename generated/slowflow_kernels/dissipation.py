@@ -1,25 +1,13 @@
-
 """Structural and quadratic damping, and dry friction of what is attached.
 
 Written by `make derive` from derivations/paper/averaging.py, derivations/paper/slow_flow.py,
 derivations/extensions/dissipation.py; never edit.
 
-Everything is dimensionless. Arguments broadcast; each output has their common shape, NumPy scalars for scalars, where
-arguments are of type ArrayLike, and the shape of those that it depends on where they may be any kind of number. Each
-docstring gives equation number, domain and floating-point operations, by regime where there are several.
-Rounding errors are in u (1 + kappa), u = 2^-53: proved ones hold wherever nothing overflows or underflows, measured
-ones are the worst of all outputs that was found, by a search for it with A 1e-09 to 1000, F_0 1e-09 to 1000, I
-1e-12 to 1000 or 0, I_0 1e-12 to 1 or 0, I_0A 1e-09 to 1e+06 of either sign or 0, I_0AA 1e-09 to 1e+09 of either
-sign or 0, I_0AAA 1e-09 to 1e+12 of either sign or 0, I_A 1e-09 to 1e+06 of either sign or 0, Omega 0.001 to 1000, R
-1e-09 to 1e+06 of either sign or 0, R_A 1e-09 to 1e+06 of either sign or 0, c_2 1e-12 to 1000 or 0, c_3 1e-12 to
-1000 or 0, d 1e-12 to 1000 or 0, d_3 1e-12 to 1000 or 0, eta 1e-12 to 1 or 0, h 1e-12 to 1000 of either sign or 0,
-h_A 1e-09 to 1e+06 of either sign or 0, h_AA 1e-09 to 1e+09 of either sign or 0, h_AAA 1e-09 to 1e+12 of either sign
-or 0, m 1e-12 to 1 or 0, steepest 1e-09 to 1e+06 or 0, u_cr 1e-06 to 1, x 0.001 to 1000, zeta 1e-12 to 1 or 0,
-zeta_2 1e-12 to 1000 or 0, zeta_A 1e-09 to 1e+06 or 0, zeta_AA 1e-09 to 1e+06 or 0, zeta_AAA 1e-09 to 1e+06 or 0.
+Rounding errors were measured with A, F_0 1e-09 to 1000; I, c_2, c_3, d, d_3, zeta_2 1e-12 to 1000 or 0; I_0, eta,
+m, zeta 1e-12 to 1 or 0; I_0A, I_A, R, R_A, h_A 1e-09 to 1e+06 of either sign or 0; I_0AA, h_AA 1e-09 to 1e+09 of
+either sign or 0; I_0AAA, h_AAA 1e-09 to 1e+12 of either sign or 0; Omega, x 0.001 to 1000; h 1e-12 to 1000 of
+either sign or 0; steepest, zeta_A, zeta_AA, zeta_AAA 1e-09 to 1e+06 or 0; u_cr 1e-06 to 1.
 """
-
-# a formatter would spread each polynomial over a page
-# fmt: off
 
 from __future__ import annotations
 
@@ -30,7 +18,7 @@ import numpy as np
 from slowflow.support.backend import from_c
 
 __all__ = [
-    "F_A", "F_AA", "I_A", "F", "F_AOmega", "F_AOmegaOmega", "F_A_halved", "F_Omega", "F_OmegaOmega", "I", "Omega_A",
+    "F_A", "F_AA", "I_A", "F", "F_AOmegaOmega", "F_A_halved", "F_Omega", "F_OmegaOmega", "I", "Omega_A",
     "Omega_A_by_inertia", "R_of_peak", "R_of_response", "R_where_stationary", "at_rest", "cubic", "cusp_bend",
     "cusp_bend_by_inertia", "cusps_by_Omega", "cusps_by_R", "cusps_far_by_R", "cusps_far_by_x", "far",
     "far_by_inertia", "fold_polynomial", "folds_by_Omega", "folds_by_R", "folds_far_by_R", "folds_far_by_x",
@@ -192,32 +180,6 @@ def F_Omega(Omega: Any, A: Any, I_0: Any, zeta: Any, d: Any, d_3: Any, h: Any) -
     return 2.0 * A * (I * (A * d * t2 + 3.0 * d_3 * t1 + t0) + R * t2)
 
 
-def F_AOmega(Omega: Any, A: Any, I_0: Any, I_0A: Any, zeta: Any, zeta_A: Any, d: Any, d_3: Any, h: Any, h_A: Any) -> Any:
-    """d2F/dA dOmega.
-
-    Equation (24). Domain: Omega > 0, A > 0. Operations: 51. Error / u (1 + kappa): measured 0.38.
-    """
-    Omega2 = Omega * Omega
-    t0 = A * Omega2
-    R = h + t0
-    t1 = 2.0 * zeta
-    t2 = Omega * t1
-    A2 = A * A
-    t3 = A2 * Omega2
-    Omega3 = Omega * Omega2
-    t4 = Omega3 * d_3
-    A3 = A * A2
-    I = A * t2 + A3 * t4 + I_0 + d * t3
-    t5 = 2.0 * A
-    t6 = t5 * zeta_A
-    t7 = Omega * d
-    t8 = d_3 * t3
-    return (
-        2.0 * (A * (t1 + t5 * t7 + 3.0 * t8) * (3.0 * A2 * t4 + I_0A + Omega * t6 + 2.0 * d * t0 + t2) + I * (4.0 *
-        A * t7 + t1 + t6 + 9.0 * t8) + 2.0 * Omega * R + Omega * t5 * (Omega2 + h_A))
-    )
-
-
 def stability(Omega: Any, A: Any, I_0: Any, I_0A: Any, zeta: Any, zeta_A: Any, d: Any, d_3: Any, h: Any, h_A: Any) -> Any:
     """4 Omega^2 det(jacobian) = F_A/(2 A); stable where positive.
 
@@ -244,44 +206,6 @@ def limit_envelope(Omega: Any, F_0: Any, m: Any, zeta: Any, eta: Any, d: Any) ->
     """
     t0 = 2.0 * Omega * zeta + eta
     return (2.0 * F_0 - 2.0 * m) / (t0 + np.sqrt(-4.0 * Omega * Omega * d * (-F_0 + m) + t0 * t0))
-
-
-def turn_share(x: Any, A: Any, I_0: Any, I_0A: Any, zeta: Any, zeta_A: Any, d: Any) -> Any:
-    """D/Omega^2 at x = 1/Omega, where F_AOmega/(4 Omega) = R + A R_A + D without cubic damping.
-
-    Equation from (30). Domain: x >= 0, A > 0. Operations: 39. Error / u (1 + kappa): measured 0.69.
-    """
-    A2 = A * A
-    A3 = A * A2
-    t0 = A * I_0
-    t1 = A2 * d
-    x2 = x * x
-    x3 = x * x2
-    return (
-        4.0 * A3 * d * d + x * (3.0 * A3 * d * zeta_A + 9.0 * t1 * zeta) + x2 * (4.0 * A * zeta * zeta + 4.0 * A2 *
-        zeta * zeta_A + I_0A * t1 + 2.0 * d * t0) + x3 * (A * I_0A * zeta + I_0 * zeta + t0 * zeta_A)
-    )
-
-
-def R_of_response(F_0: Any, I: Any) -> Any:
-    """The size of R where F = 0.
-
-    Equation (24). Domain: Omega >= 0, A > 0. Operations: 4. Error / u (1 + kappa): measured 0.62.
-    """
-    return np.sqrt(F_0 * F_0 - I * I)
-
-
-def R_where_stationary(x: Any, A: Any, I_0: Any, zeta: Any, d: Any) -> tuple[Any, Any, Any]:
-    """Where a level by inertia is stationary, x = 1/Omega: what is not negative, lower and higher R/Omega^2.
-
-    Equation from (24). Domain: Omega >= 0, A > 0. Operations: 20. Error / u (1 + kappa): measured 0.92.
-    """
-    t0 = A * A
-    t1 = A * zeta
-    t2 = x * (I_0 * x + t1) * (I_0 * x * x + d * t0 + 2.0 * t1 * x)
-    t3 = t0 - 4.0 * t2
-    t4 = 0.5 * A + 0.5 * np.sqrt(t3)
-    return t3, t2 / t4, t4
 
 
 def far_by_inertia(x: Any, A: Any, F_0: Any, I_0: Any, zeta: Any, d: Any, h: Any) -> tuple[Any, Any, Any]:
@@ -325,8 +249,11 @@ FROM_C = {
     "static": "F_0 I_0 I_0A h h_A",
     "response_polynomial": "A I_0 zeta d d_3 h",
     "fold_polynomial": "A I_0 I_0A zeta zeta_A d d_3 h h_A",
+    "turn_share": "x A I_0 I_0A zeta zeta_A d",
     "F_A_halved": "R R_A I I_A",
+    "R_of_response": "F_0 I",
     "R_of_peak": "Omega A zeta d d_3 I",
+    "R_where_stationary": "x A I_0 zeta d",
     "cusp_bend_by_inertia": "Omega A I_0 I_0A I_0AA I_0AAA zeta zeta_A zeta_AA zeta_AAA d d_3 h h_A h_AA h_AAA",
     "isola_bend_by_inertia": "Omega A I_0 I_0A I_0AA zeta zeta_A zeta_AA d d_3 h h_A h_AA",
     "structural_bound": "A F_0 eta h steepest",

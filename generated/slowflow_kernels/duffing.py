@@ -1,19 +1,10 @@
-
 """Duffing oscillator: one cubic piece, no breakpoint.
 
 Written by `make derive` from derivations/mechanisms/duffing.py; never edit.
 
-Everything is dimensionless. Arguments broadcast; each output has their common shape, NumPy scalars for scalars, where
-arguments are of type ArrayLike, and the shape of those that it depends on where they may be any kind of number. Each
-docstring gives equation number, domain and floating-point operations, by regime where there are several.
-Rounding errors are in u (1 + kappa), u = 2^-53: proved ones hold wherever nothing overflows or underflows, measured
-ones are the worst of all outputs that was found, by a search for it with A 1e-09 to 1000, F_0 1e-09 to 1000, Omega
-0.001 to 1000, alpha 1e-16 to 1000 of either sign or 0, beta 1e-12 to 1000 of either sign or 0, m 1e-12 to 1 or 0,
-mu 1e-12 to 1 or 0, u 1e-09 to 1000 of either sign or 0, zeta 1e-12 to 1 or 0.
+Rounding errors were measured with A, F_0 1e-09 to 1000; Omega 0.001 to 1000; alpha 1e-16 to 1000 of either sign or
+0; beta 1e-12 to 1000 of either sign or 0; m, mu, zeta 1e-12 to 1 or 0; u 1e-09 to 1000 of either sign or 0.
 """
-
-# a formatter would spread each polynomial over a page
-# fmt: off
 
 from __future__ import annotations
 

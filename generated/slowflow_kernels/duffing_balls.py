@@ -7,9 +7,6 @@ to the digits of `flint.ctx`. passed_n is meant where A exceeds n breakpoints; b
 last of these.
 """
 
-# a formatter would spread each polynomial over a page
-# fmt: off
-
 from flint import arb
 
 __all__ = [

@@ -1,21 +1,12 @@
-
 """The quartics whose roots are the frequencies at an amplitude: F of the response, F_A/2 of the folds.
 
 Written by `make derive` from derivations/paper/averaging.py, derivations/paper/slow_flow.py,
 derivations/systems/frequencies.py; never edit.
 
-Everything is dimensionless. Arguments broadcast; each output has their common shape, NumPy scalars for scalars, where
-arguments are of type ArrayLike, and the shape of those that it depends on where they may be any kind of number. Each
-docstring gives equation number, domain and floating-point operations, by regime where there are several.
-Rounding errors are in u (1 + kappa), u = 2^-53: proved ones hold wherever nothing overflows or underflows, measured
-ones are the worst of all outputs that was found, by a search for it with A 1e-09 to 1000, F_0 1e-09 to 1000, Omega
-0.001 to 1000, h 1e-12 to 1000 of either sign or 0, h_A 1e-09 to 1e+06 of either sign or 0, k 1e-09 to 1000 of
-either sign, m 1e-12 to 1 or 0, p 1e-09 to 1000 of either sign, p_low up to 1e-10 of either sign, q 1e-12 to 1000 or
-0, q_low up to 1e-10 of either sign, tail up to 1e-10 of either sign, zeta 1e-12 to 1 or 0.
+Rounding errors were measured with A, F_0 1e-09 to 1000; Omega 0.001 to 1000; h 1e-12 to 1000 of either sign or 0;
+h_A 1e-09 to 1e+06 of either sign or 0; k, p 1e-09 to 1000 of either sign; m, zeta 1e-12 to 1 or 0; p_low, q_low,
+tail up to 1e-10 of either sign; q 1e-12 to 1000 or 0.
 """
-
-# a formatter would spread each polynomial over a page
-# fmt: off
 
 from __future__ import annotations
 

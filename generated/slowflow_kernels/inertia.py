@@ -1,22 +1,13 @@
-
 """Excitation by inertia, F_0 Omega^2: a base that shakes, an unbalance.
 
 Written by `make derive` from derivations/paper/equation_of_motion.py, derivations/paper/averaging.py,
 derivations/paper/slow_flow.py, derivations/extensions/inertia.py; never edit.
 
-Everything is dimensionless. Arguments broadcast; each output has their common shape, NumPy scalars for scalars, where
-arguments are of type ArrayLike, and the shape of those that it depends on where they may be any kind of number. Each
-docstring gives equation number, domain and floating-point operations, by regime where there are several.
-Rounding errors are in u (1 + kappa), u = 2^-53: proved ones hold wherever nothing overflows or underflows, measured
-ones are the worst of all outputs that was found, by a search for it with A 0.01 to 1, F_0 0.03 to 0.1, Omega 0.3 to
-2, cubic up to 1 of either sign, fall 0.001 to 1, force 0.001 to 0.1, h 0.001 to 1 of either sign, h_A up to 2 of
-either sign, h_AA up to 5 of either sign, h_AAA up to 20 of either sign, holds 0.001 to 0.1, k 0.04 to 4, linear
-0.0001 to 0.03, lost 0.001 to 0.5, m 0.001 to 0.03, other up to 1 of either sign, reduction 0.01 to 0.999, rest
-0.001 to 1, share up to 0.5 of either sign, x 0.5 to 3, zeta 0.004 to 0.1.
+Rounding errors were measured with A 0.01 to 1; F_0 0.03 to 0.1; Omega 0.3 to 2; cubic, other up to 1 of either
+sign; fall, rest 0.001 to 1; force, holds 0.001 to 0.1; h 0.001 to 1 of either sign; h_A up to 2 of either sign;
+h_AA up to 5 of either sign; h_AAA up to 20 of either sign; k 0.04 to 4; linear 0.0001 to 0.03; lost 0.001 to 0.5; m
+0.001 to 0.03; reduction 0.01 to 0.999; share up to 0.5 of either sign; x 0.5 to 3; zeta 0.004 to 0.1.
 """
-
-# a formatter would spread each polynomial over a page
-# fmt: off
 
 from __future__ import annotations
 
@@ -33,7 +24,7 @@ if TYPE_CHECKING:
 __all__ = [
     "F", "Omega_A", "Omega_of_share", "amplitude", "bound", "cusp_bend", "fold_force", "fold_level", "fold_slopes",
     "force", "force_slopes", "hessian", "isola", "isola_apart", "isolation", "least", "least_Omega_A", "level",
-    "level_rise", "level_slope", "moves_from", "peak", "peak_share", "share", "terms",
+    "level_slope", "moves_from", "peak", "peak_share", "share", "terms",
 ]
 
 
@@ -102,45 +93,13 @@ def F(Omega: ArrayLike, A: ArrayLike, F_0: ArrayLike, m: ArrayLike, zeta: ArrayL
     return R * R + (I - t1) * (I + t1)
 
 
-def Omega_A(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike, h_A: ArrayLike) -> Any:
-    """dOmega/dA along the response.
-
-    Equation from (24). Domain: Omega > 0, A > 0. Operations: 21. Error / u (1 + kappa): measured 1.1.
-    """
-    Omega, A, m, zeta, h, h_A = floats(Omega, A, m, zeta, h, h_A)
-    t0 = Omega * Omega
-    R = A * t0 + h
-    t1 = Omega * zeta
-    t2 = A * t1
-    I = m + 2.0 * t2
-    return -2.0 * Omega * (2.0 * I * t1 + R * (h_A + t0)) / (-4.0 * I * (m + t2) - 4.0 * R * h)
-
-
-def level_rise(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike, h_A: ArrayLike, h_AA: ArrayLike) -> Any:
-    """Positive where the level rises with A along the fold locus, negative where it falls.
-
-    Equation from (24), (30). Domain: Omega > 0, A > 0. Operations: 32. Error / u (1 + kappa): measured 1.3.
-    """
-    Omega, A, m, zeta, h, h_A, h_AA = floats(Omega, A, m, zeta, h, h_A, h_AA)
-    t0 = Omega * Omega
-    R = A * t0 + h
-    t1 = A * Omega
-    t2 = t1 * zeta
-    I = m + 2.0 * t2
-    t3 = h_A + t0
-    t4 = zeta * zeta
-    return (
-        8.0 * (4.0 * I * (m + t2) + 4.0 * R * h) * (R * h_AA + 4.0 * t0 * t4 + t3 * t3) * (I * zeta + Omega * R + t1
-        * t3 + 2.0 * t1 * t4)
-    )
-
-
 if NATIVE is not None:
     globals().update(compiled(globals(), NATIVE.inertia()))
 #: functions that no Python code calls, which are in C, with their arguments; see generated/c/inertia.h
 FROM_C = {
     "force_slopes": "Omega F_0",
     "level_slope": "Omega A m zeta h",
+    "Omega_A": "Omega A m zeta h h_A",
     "terms": "A m zeta h",
     "least": "fall linear rest",
     "least_Omega_A": "x A m zeta h h_A",

@@ -1,16 +1,8 @@
-
 """Stationary random vibration by statistical linearization.
 
 Written by `make derive` from derivations/paper/equation_of_motion.py, derivations/extensions/linearization.py;
 never edit.
-
-Everything is dimensionless. Arguments broadcast; each output has their common shape, NumPy scalars for scalars, where
-arguments are of type ArrayLike, and the shape of those that it depends on where they may be any kind of number. Each
-docstring gives equation number, domain and floating-point operations, by regime where there are several.
 """
-
-# a formatter would spread each polynomial over a page
-# fmt: off
 
 from __future__ import annotations
 

@@ -1,25 +1,14 @@
-
 """The equation of motion of any mechanism, in the values of its force.
 
 Written by `make derive` from derivations/paper/equation_of_motion.py, derivations/extensions/motion.py,
 derivations/extensions/switching.py; never edit.
 
-Everything is dimensionless. Arguments broadcast; each output has their common shape, NumPy scalars for scalars, where
-arguments are of type ArrayLike, and the shape of those that it depends on where they may be any kind of number. Each
-docstring gives equation number, domain and floating-point operations, by regime where there are several.
-Rounding errors are in u (1 + kappa), u = 2^-53: proved ones hold wherever nothing overflows or underflows, measured
-ones are the worst of all outputs that was found, by a search for it with A 0.01 to 1, A_1 0.01 to 1, F_0 0.03 to
-0.1, Omega 0.3 to 2, after up to 1 of either sign, before up to 1 of either sign, beyond 0.001 to 0.1, by_theta up
-to 1 of either sign, by_u up to 1 of either sign, c_3 0.05 to 2, cosine up to 0.99 of either sign, eta 0.005 to 0.2,
-f up to 1 of either sign, f_u up to 2 of either sign, friction 0.001 to 0.02, growth 0.01 to 1, inner up to 1 of
-either sign, inner_u up to 2 of either sign, left 0.01 to 0.99, mu 0.001 to 0.02, nu 10 to 1000, outer up to 1 of
-either sign, outer_u up to 2 of either sign, phi 0.05 to 3.1 of either sign, pull 0.01 to 1, quadratic up to 0.5 of
-either sign, right 0.01 to 0.99, sine up to 0.99 of either sign, slip up to 0.99 of either sign, u up to 1 of either
-sign, v up to 1 of either sign, zeta 0.004 to 0.1, zeta_2 0.01 to 1.
+Rounding errors were measured with A, A_1, growth, pull, zeta_2 0.01 to 1; F_0 0.03 to 0.1; Omega 0.3 to 2; after,
+before, by_theta, by_u, f, inner, outer, u, v up to 1 of either sign; beyond 0.001 to 0.1; c_3 0.05 to 2; cosine,
+sine, slip up to 0.99 of either sign; eta 0.005 to 0.2; f_u, inner_u, outer_u up to 2 of either sign; friction, mu
+0.001 to 0.02; left, right 0.01 to 0.99; nu 10 to 1000; phi 0.05 to 3.1 of either sign; quadratic up to 0.5 of
+either sign; zeta 0.004 to 0.1.
 """
-
-# a formatter would spread each polynomial over a page
-# fmt: off
 
 from __future__ import annotations
 

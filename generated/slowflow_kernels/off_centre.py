@@ -1,33 +1,14 @@
-
 """Motions off the centre, u = B + A cos psi, by the means of the force and its derivatives over a cycle.
 
 Written by `make derive` from derivations/paper/averaging.py, derivations/paper/slow_flow.py,
 derivations/asymmetric/off_centre.py; never edit.
 
-Everything is dimensionless. Arguments broadcast; each output has their common shape, NumPy scalars for scalars, where
-arguments are of type ArrayLike, and the shape of those that it depends on where they may be any kind of number. Each
-docstring gives equation number, domain and floating-point operations, by regime where there are several.
-Rounding errors are in u (1 + kappa), u = 2^-53: proved ones hold wherever nothing overflows or underflows, measured
-ones are the worst of all outputs that was found, by a search for it with A 1e-09 to 1000, B 1e-09 to 1000, F_0
-1e-09 to 1000, F_2 1e-09 to 1000 or 0, I 1e-12 to 1000 or 0, I_A 1e-09 to 1000 of either sign or 0, L_1 1e-09 to
-1000 of either sign or 0, L_2 1e-09 to 1000 of either sign or 0, L_k 1e-09 to 1000 of either sign or 0, M_1 1e-09 to
-1000 of either sign or 0, M_2 1e-09 to 1000 of either sign or 0, M_k 1e-09 to 1000 of either sign or 0, Omega 0.001
-to 1000, R 1e-09 to 1e+06 of either sign or 0, X 1e-09 to 1000, X_x 1e-09 to 1000 of either sign or 0, Y 1e-09 to
-1000, Y_y 1e-09 to 1000 of either sign or 0, a 1e-09 to 1000 of either sign or 0, angle 1e-09 to 3.142, c_0 1e-09 to
-1000 of either sign or 0, c_0_p 1e-09 to 1000 of either sign or 0, c_1 1e-09 to 1000 of either sign or 0, c_1_p
-1e-09 to 1000 of either sign or 0, c_2 1e-09 to 1000 of either sign or 0, c_2_p 1e-09 to 1000 of either sign or 0,
-c_3 1e-09 to 1000 of either sign or 0, c_x 1e-09 to 1000 of either sign or 0, c_xx 1e-09 to 1000 of either sign or
-0, c_y 1e-09 to 1000 of either sign or 0, c_yy 1e-09 to 1000 of either sign or 0, d 1e-12 to 1000 or 0, end_p 1e-09
-to 1000 of either sign or 0, eta 1e-12 to 1 or 0, force 1e-09 to 1000, h 1e-12 to 1000 of either sign or 0, k 1 to
-1000 of either sign or 0, load 1e-09 to 1000 of either sign or 0, load_p 1e-09 to 1000 of either sign or 0, m 1e-12
-to 1 or 0, root 1e-09 to 1000, s_0 1e-09 to 1000 of either sign or 0, s_0_p 1e-09 to 1000 of either sign or 0, s_1
-1e-09 to 1000 of either sign or 0, s_1_p 1e-09 to 1000 of either sign or 0, s_2 1e-09 to 1000 of either sign or 0,
-s_2_p 1e-09 to 1000 of either sign or 0, s_3 1e-09 to 1000 of either sign or 0, side 1 to 1 of either sign, span
-1e-09 to 1000 of either sign or 0, zeta 1e-12 to 1 or 0.
+Rounding errors were measured with A, B, F_0, X, Y, force, root 1e-09 to 1000; F_2 1e-09 to 1000 or 0; I, d 1e-12 to
+1000 or 0; I_A, L_1, L_2, L_k, M_1, M_2, M_k, X_x, Y_y, a, c_0, c_0_p, c_1, c_1_p, c_2, c_2_p, c_3, c_x, c_xx, c_y,
+c_yy, end_p, load, load_p, s_0, s_0_p, s_1, s_1_p, s_2, s_2_p, s_3, span 1e-09 to 1000 of either sign or 0; Omega
+0.001 to 1000; R 1e-09 to 1e+06 of either sign or 0; angle 1e-09 to 3.142; eta, m, zeta 1e-12 to 1 or 0; h 1e-12 to
+1000 of either sign or 0; k 1 to 1000 of either sign or 0; side 1 to 1 of either sign.
 """
-
-# a formatter would spread each polynomial over a page
-# fmt: off
 
 from __future__ import annotations
 

@@ -1,21 +1,12 @@
-
 """Mass on a vertical spring, with preloaded horizontal springs on a push-rod that detach at u_cr.
 
 Written by `make derive` from derivations/mechanisms/rod_spring.py; never edit.
 
-Everything is dimensionless. Arguments broadcast; each output has their common shape, NumPy scalars for scalars, where
-arguments are of type ArrayLike, and the shape of those that it depends on where they may be any kind of number. Each
-docstring gives equation number, domain and floating-point operations, by regime where there are several.
 Regimes: passed_n where A exceeds n breakpoints, far_k where it exceeds k of them 21/20 times.
-Rounding errors are in u (1 + kappa), u = 2^-53: proved ones hold wherever nothing overflows or underflows, measured
-ones are the worst of all outputs that was found, by a search for it with A 1e-09 to 1000, F_0 1e-09 to 1000, Omega
-0.001 to 1000, alpha 1e-16 to 1000 of either sign or 0, beta 1e-12 to 1000 of either sign or 0, delta_h 1e-12 to 1,
-gamma 1e-12 to 1000 or 0, lam 1 to 100, m 1e-12 to 1 or 0, mu 1e-12 to 1 or 0, r 1e-06 to 1e+06, u 1e-09 to 1000 of
-either sign or 0, u_cr 1e-06 to 1, zeta 1e-12 to 1 or 0.
+Rounding errors were measured with A, F_0 1e-09 to 1000; Omega 0.001 to 1000; alpha 1e-16 to 1000 of either sign or
+0; beta 1e-12 to 1000 of either sign or 0; delta_h 1e-12 to 1; gamma 1e-12 to 1000 or 0; lam 1 to 100; m, mu, zeta
+1e-12 to 1 or 0; r 1e-06 to 1e+06; u 1e-09 to 1000 of either sign or 0; u_cr 1e-06 to 1.
 """
-
-# a formatter would spread each polynomial over a page
-# fmt: off
 
 from __future__ import annotations
 
@@ -70,6 +61,89 @@ def _common_1(A, u_cr):
     x7 = x * x6
     M6 = 1.1428571428571428 * M8 + 0.14285714285714285 * x7 * y
     return root, x, y, M8, M6
+
+
+def _common_2(A, W3_3, W3_5, W5_3, W5_5, alpha, beta, gamma, root, u_cr, x, y):
+    """The outputs of harmonics_passed_1, harmonics_passed_1_far_1."""
+    t0 = 1.0 / A
+    x2 = x * x
+    x3 = x * x2
+    t1 = x3 * y
+    W3_1 = -t1
+    W5_1 = -t1 * (2.6666666666666665 * x2 - 1.6666666666666667)
+    t3 = alpha - 1.0
+    t4 = W3_1 * t3
+    A2 = A * A
+    t5 = W3_3 * beta
+    A4 = A2 * A2
+    t6 = A4 * gamma
+    t7 = W3_5 * t6
+    t8 = 1.2732395447351628 * A
+    t9 = 3.0 * beta
+    t10 = A2 * t9
+    t11 = 1.0 / A2
+    t12 = 1.0 / root
+    u_cr2 = u_cr * u_cr
+    u_cr3 = u_cr * u_cr2
+    t13 = t11 * u_cr2
+    t14 = -4.0 * t13
+    t15 = -t14 - 3.0
+    t16 = gamma * u_cr2
+    t17 = t3 + u_cr2 * (beta + t16)
+    t18 = 6.0 * t5
+    t19 = W3_5 * gamma
+    A3 = A * A2
+    t20 = 20.0 * A3
+    t21 = t17 * u_cr3
+    t22 = t12 * t21
+    t23 = 1.0 / A3
+    t24 = t15 * t23
+    root2 = root * root
+    root3 = root * root2
+    t25 = 1.0 / root3
+    t26 = t21 * t25
+    t27 = t0 * t26
+    t28 = t14 + 1.0
+    t29 = -t3 - u_cr2 * (5.0 * t16 + t9)
+    t30 = t12 * t29 * u_cr3
+    t31 = 60.0 * A2
+    t32 = 1.0 / A4
+    u_cr4 = u_cr2 * u_cr2
+    u_cr5 = u_cr * u_cr4
+    t33 = 10.0 * t16 + t9
+    t34 = t22 * t32
+    t35 = 3.0 * t28
+    t36 = t30 * t32
+    t37 = 3.0 / root2
+    t38 = W5_1 * t3
+    t39 = W5_3 * beta
+    t40 = W5_5 * t6
+    t41 = t32 * u_cr4
+    t42 = 16.0 * t41
+    t43 = -20.0 * t13 + t42 + 5.0
+    t44 = 6.0 * t39
+    t45 = W5_5 * gamma
+    t46 = t23 * t43
+    t47 = 12.0 * t11 * u_cr2 - t42 - 1.0
+    t48 = 5.0 * t47
+    return (
+        -t8 * (A2 * t5 + t4 + t7),
+        1.2732395447351628 * (-W3_3 * t10 + t11 * t12 * t15 * t17 * u_cr3 - t4 - 5.0 * t7),
+        1.2732395447351628 * (-A * t18 + 3.0 * t12 * t17 * t23 * t28 * u_cr3 - t15 * t27 - t19 * t20 - t22 * t24 -
+        t24 * t30),
+        1.2732395447351628 * (t11 * t15 * t25 * t29 * u_cr3 - t11 * t26 * t35 + 2.0 * t12 * t15 * t17 * t32 * u_cr3
+        + 2.0 * t12 * t15 * t29 * t32 * u_cr3 + 2.0 * t12 * t15 * t32 * t33 * u_cr5 + 6.0 * t12 * t17 * t32 * u_cr3
+        * (8.0 * t11 * u_cr2 - 1.0) - t18 - t19 * t31 - t26 * (-t11 * t15 + 3.0 * t11 * t28 - t15 * t37) - 6.0 * t28
+        * t34 - t35 * t36),
+        -t8 * (A2 * t39 + t38 + t40),
+        1.2732395447351628 * (-W5_3 * t10 + t11 * t12 * t17 * t43 * u_cr3 - t38 - 5.0 * t40),
+        1.2732395447351628 * (-A * t44 + 5.0 * t12 * t17 * t23 * t47 * u_cr3 - t20 * t45 - t22 * t46 - t27 * t43 -
+        t30 * t46),
+        1.2732395447351628 * (t11 * t25 * t29 * t43 * u_cr3 - t11 * t26 * t48 + 2.0 * t12 * t17 * t32 * t43 * u_cr3
+        + 10.0 * t12 * t17 * t32 * u_cr3 * (-24.0 * t13 + 48.0 * t41 + 1.0) + 2.0 * t12 * t29 * t32 * t43 * u_cr3 +
+        2.0 * t12 * t32 * t33 * t43 * u_cr5 - t26 * (-t11 * t43 + 5.0 * t11 * t47 - t37 * t43) - t31 * t45 - 10.0 *
+        t34 * t47 - t36 * t48 - t44),
+    )
 
 
 def _averaged_passed_0(A, alpha, beta, gamma, u_cr):
@@ -398,15 +472,11 @@ def _harmonics_passed_1(A, alpha, beta, gamma, u_cr):
     y = root * t0
     theta = np.arctan2(u_cr, root)
     x2 = x * x
-    x3 = x * x2
-    t1 = x3 * y
-    W3_1 = -t1
     t2 = x * y
     W3_3 = -t2 * (x2 * (0.66666666666666663 * x2 + 0.083333333333333329) + 0.125) + 0.125 * theta
     W3_5 = (
         -t2 * (x2 * (x2 * (0.5 * x2 + 0.083333333333333329) + 0.10416666666666667) + 0.15625) + 0.15625 * theta
     )
-    W5_1 = -t1 * (2.6666666666666665 * x2 - 1.6666666666666667)
     x4 = x2 * x2
     x5 = x * x4
     W5_3 = -x5 * y * (2.0 * x2 - 1.0)
@@ -414,79 +484,10 @@ def _harmonics_passed_1(A, alpha, beta, gamma, u_cr):
         -t2 * (x2 * (x2 * (x2 * (1.6000000000000001 * x2 - 0.69999999999999996) + 0.016666666666666666) +
         0.020833333333333332) + 0.03125) + 0.03125 * theta
     )
-    t3 = alpha - 1.0
-    t4 = W3_1 * t3
-    A2 = A * A
-    t5 = W3_3 * beta
-    A4 = A2 * A2
-    t6 = A4 * gamma
-    t7 = W3_5 * t6
-    t8 = 1.2732395447351628 * A
-    t9 = 3.0 * beta
-    t10 = A2 * t9
-    t11 = 1.0 / A2
-    t12 = 1.0 / root
-    u_cr2 = u_cr * u_cr
-    u_cr3 = u_cr * u_cr2
-    t13 = t11 * u_cr2
-    t14 = -4.0 * t13
-    t15 = -t14 - 3.0
-    t16 = gamma * u_cr2
-    t17 = t3 + u_cr2 * (beta + t16)
-    t18 = 6.0 * t5
-    t19 = W3_5 * gamma
-    A3 = A * A2
-    t20 = 20.0 * A3
-    t21 = t17 * u_cr3
-    t22 = t12 * t21
-    t23 = 1.0 / A3
-    t24 = t15 * t23
-    root2 = root * root
-    root3 = root * root2
-    t25 = 1.0 / root3
-    t26 = t21 * t25
-    t27 = t0 * t26
-    t28 = t14 + 1.0
-    t29 = -t3 - u_cr2 * (5.0 * t16 + t9)
-    t30 = t12 * t29 * u_cr3
-    t31 = 60.0 * A2
-    t32 = 1.0 / A4
-    u_cr4 = u_cr2 * u_cr2
-    u_cr5 = u_cr * u_cr4
-    t33 = 10.0 * t16 + t9
-    t34 = t22 * t32
-    t35 = 3.0 * t28
-    t36 = t30 * t32
-    t37 = 3.0 / root2
-    t38 = W5_1 * t3
-    t39 = W5_3 * beta
-    t40 = W5_5 * t6
-    t41 = t32 * u_cr4
-    t42 = 16.0 * t41
-    t43 = -20.0 * t13 + t42 + 5.0
-    t44 = 6.0 * t39
-    t45 = W5_5 * gamma
-    t46 = t23 * t43
-    t47 = 12.0 * t11 * u_cr2 - t42 - 1.0
-    t48 = 5.0 * t47
-    return (
-        -t8 * (A2 * t5 + t4 + t7),
-        1.2732395447351628 * (-W3_3 * t10 + t11 * t12 * t15 * t17 * u_cr3 - t4 - 5.0 * t7),
-        1.2732395447351628 * (-A * t18 + 3.0 * t12 * t17 * t23 * t28 * u_cr3 - t15 * t27 - t19 * t20 - t22 * t24 -
-        t24 * t30),
-        1.2732395447351628 * (t11 * t15 * t25 * t29 * u_cr3 - t11 * t26 * t35 + 2.0 * t12 * t15 * t17 * t32 * u_cr3
-        + 2.0 * t12 * t15 * t29 * t32 * u_cr3 + 2.0 * t12 * t15 * t32 * t33 * u_cr5 + 6.0 * t12 * t17 * t32 * u_cr3
-        * (8.0 * t11 * u_cr2 - 1.0) - t18 - t19 * t31 - t26 * (-t11 * t15 + 3.0 * t11 * t28 - t15 * t37) - 6.0 * t28
-        * t34 - t35 * t36),
-        -t8 * (A2 * t39 + t38 + t40),
-        1.2732395447351628 * (-W5_3 * t10 + t11 * t12 * t17 * t43 * u_cr3 - t38 - 5.0 * t40),
-        1.2732395447351628 * (-A * t44 + 5.0 * t12 * t17 * t23 * t47 * u_cr3 - t20 * t45 - t22 * t46 - t27 * t43 -
-        t30 * t46),
-        1.2732395447351628 * (t11 * t25 * t29 * t43 * u_cr3 - t11 * t26 * t48 + 2.0 * t12 * t17 * t32 * t43 * u_cr3
-        + 10.0 * t12 * t17 * t32 * u_cr3 * (-24.0 * t13 + 48.0 * t41 + 1.0) + 2.0 * t12 * t29 * t32 * t43 * u_cr3 +
-        2.0 * t12 * t32 * t33 * t43 * u_cr5 - t26 * (-t11 * t43 + 5.0 * t11 * t47 - t37 * t43) - t31 * t45 - 10.0 *
-        t34 * t47 - t36 * t48 - t44),
+    result_0, result_1, result_2, result_3, result_4, result_5, result_6, result_7 = _common_2(
+        A, W3_3, W3_5, W5_3, W5_5, alpha, beta, gamma, root, u_cr, x, y
     )
+    return result_0, result_1, result_2, result_3, result_4, result_5, result_6, result_7
 
 
 def _harmonics_passed_1_far_1(A, alpha, beta, gamma, u_cr):
@@ -521,86 +522,14 @@ def _harmonics_passed_1_far_1(A, alpha, beta, gamma, u_cr):
     x5 = x * x4
     t1 = x5 * y
     M4 = 1.2 * M6 + 0.20000000000000001 * t1
-    t2 = x3 * y
-    W3_1 = -t2
     W3_3 = -3.0 * M4 + 4.0 * M6
     W3_5 = -3.0 * M6 + 4.0 * M8
-    W5_1 = -t2 * (2.6666666666666665 * x2 - 1.6666666666666667)
     W5_3 = -t1 * (2.0 * x2 - 1.0)
     W5_5 = 16.0 * M10 + 5.0 * M6 - 20.0 * M8
-    t3 = alpha - 1.0
-    t4 = W3_1 * t3
-    A2 = A * A
-    t5 = W3_3 * beta
-    A4 = A2 * A2
-    t6 = A4 * gamma
-    t7 = W3_5 * t6
-    t8 = 1.2732395447351628 * A
-    t9 = 3.0 * beta
-    t10 = A2 * t9
-    t11 = 1.0 / A2
-    t12 = 1.0 / root
-    u_cr2 = u_cr * u_cr
-    u_cr3 = u_cr * u_cr2
-    t13 = t11 * u_cr2
-    t14 = -4.0 * t13
-    t15 = -t14 - 3.0
-    t16 = gamma * u_cr2
-    t17 = t3 + u_cr2 * (beta + t16)
-    t18 = 6.0 * t5
-    t19 = W3_5 * gamma
-    A3 = A * A2
-    t20 = 20.0 * A3
-    t21 = t17 * u_cr3
-    t22 = t12 * t21
-    t23 = 1.0 / A3
-    t24 = t15 * t23
-    root2 = root * root
-    root3 = root * root2
-    t25 = 1.0 / root3
-    t26 = t21 * t25
-    t27 = t0 * t26
-    t28 = t14 + 1.0
-    t29 = -t3 - u_cr2 * (5.0 * t16 + t9)
-    t30 = t12 * t29 * u_cr3
-    t31 = 60.0 * A2
-    t32 = 1.0 / A4
-    u_cr4 = u_cr2 * u_cr2
-    u_cr5 = u_cr * u_cr4
-    t33 = 10.0 * t16 + t9
-    t34 = t22 * t32
-    t35 = 3.0 * t28
-    t36 = t30 * t32
-    t37 = 3.0 / root2
-    t38 = W5_1 * t3
-    t39 = W5_3 * beta
-    t40 = W5_5 * t6
-    t41 = t32 * u_cr4
-    t42 = 16.0 * t41
-    t43 = -20.0 * t13 + t42 + 5.0
-    t44 = 6.0 * t39
-    t45 = W5_5 * gamma
-    t46 = t23 * t43
-    t47 = 12.0 * t11 * u_cr2 - t42 - 1.0
-    t48 = 5.0 * t47
-    return (
-        -t8 * (A2 * t5 + t4 + t7),
-        1.2732395447351628 * (-W3_3 * t10 + t11 * t12 * t15 * t17 * u_cr3 - t4 - 5.0 * t7),
-        1.2732395447351628 * (-A * t18 + 3.0 * t12 * t17 * t23 * t28 * u_cr3 - t15 * t27 - t19 * t20 - t22 * t24 -
-        t24 * t30),
-        1.2732395447351628 * (t11 * t15 * t25 * t29 * u_cr3 - t11 * t26 * t35 + 2.0 * t12 * t15 * t17 * t32 * u_cr3
-        + 2.0 * t12 * t15 * t29 * t32 * u_cr3 + 2.0 * t12 * t15 * t32 * t33 * u_cr5 + 6.0 * t12 * t17 * t32 * u_cr3
-        * (8.0 * t11 * u_cr2 - 1.0) - t18 - t19 * t31 - t26 * (-t11 * t15 + 3.0 * t11 * t28 - t15 * t37) - 6.0 * t28
-        * t34 - t35 * t36),
-        -t8 * (A2 * t39 + t38 + t40),
-        1.2732395447351628 * (-W5_3 * t10 + t11 * t12 * t17 * t43 * u_cr3 - t38 - 5.0 * t40),
-        1.2732395447351628 * (-A * t44 + 5.0 * t12 * t17 * t23 * t47 * u_cr3 - t20 * t45 - t22 * t46 - t27 * t43 -
-        t30 * t46),
-        1.2732395447351628 * (t11 * t25 * t29 * t43 * u_cr3 - t11 * t26 * t48 + 2.0 * t12 * t17 * t32 * t43 * u_cr3
-        + 10.0 * t12 * t17 * t32 * u_cr3 * (-24.0 * t13 + 48.0 * t41 + 1.0) + 2.0 * t12 * t29 * t32 * t43 * u_cr3 +
-        2.0 * t12 * t32 * t33 * t43 * u_cr5 - t26 * (-t11 * t43 + 5.0 * t11 * t47 - t37 * t43) - t31 * t45 - 10.0 *
-        t34 * t47 - t36 * t48 - t44),
+    result_0, result_1, result_2, result_3, result_4, result_5, result_6, result_7 = _common_2(
+        A, W3_3, W3_5, W5_3, W5_5, alpha, beta, gamma, root, u_cr, x, y
     )
+    return result_0, result_1, result_2, result_3, result_4, result_5, result_6, result_7
 
 
 def harmonics(A: ArrayLike, alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike, u_cr: ArrayLike) -> tuple[Any, Any, Any, Any, Any, Any, Any, Any]:

@@ -7,9 +7,6 @@ to the digits of `flint.ctx`. passed_n is meant where A exceeds n breakpoints; b
 last of these. Equations and domains that are not stated here are those of rod_spring.py.
 """
 
-# a formatter would spread each polynomial over a page
-# fmt: off
-
 from flint import arb
 
 __all__ = [

@@ -1,22 +1,14 @@
-
 """Mass on a vertical spring, with preloaded horizontal springs on a push-rod that detach at u_cr, force not
 truncated.
 
 Written by `make derive` from derivations/mechanisms/rod_spring_untruncated.py, derivations/asymmetric/curved.py;
 never edit.
 
-Everything is dimensionless. Arguments broadcast; each output has their common shape, NumPy scalars for scalars, where
-arguments are of type ArrayLike, and the shape of those that it depends on where they may be any kind of number. Each
-docstring gives equation number, domain and floating-point operations, by regime where there are several.
 Regimes: passed_n where A exceeds n breakpoints, far_k where it exceeds k of them 21/20 times.
-Rounding errors are in u (1 + kappa), u = 2^-53: proved ones hold wherever nothing overflows or underflows, measured
-ones are the worst of all outputs that was found, by a search for it with A 1e-09 to 1000, F_0 1e-09 to 1000, Omega
-0.001 to 1000, alpha 1e-16 to 1000 of either sign or 0, beta 1e-12 to 1000 of either sign or 0, delta_h 1e-12 to 1,
-lam 1 to 100, mu 1e-12 to 1 or 0, r 1e-06 to 1e+06, u 1e-09 to 1000 of either sign or 0, zeta 1e-12 to 1 or 0.
+Rounding errors were measured with A, F_0 1e-09 to 1000; Omega 0.001 to 1000; alpha 1e-16 to 1000 of either sign or
+0; beta 1e-12 to 1000 of either sign or 0; delta_h 1e-12 to 1; lam 1 to 100; mu, zeta 1e-12 to 1 or 0; r 1e-06 to
+1e+06; u 1e-09 to 1000 of either sign or 0.
 """
-
-# a formatter would spread each polynomial over a page
-# fmt: off
 
 from __future__ import annotations
 
@@ -158,12 +150,12 @@ _NODES_5 = (
 )
 
 
-def _arc_node(X2, K2, T2):
+def _arc_node(X2, K2, T2, W):
     """The term of int sin^2 at a node."""
     g = 1.0 / (T2 * X2 + 1.0)
     g2 = g * g
     g3 = g * g2
-    return K2 * g3
+    return W + K2 * g3
 
 
 def _duplication(x_0, x_1, x_2, x_3, y_0, y_1, y_2, y_3, z_0, z_1, z_2, z_3, total_0, total_1, total_2, total_3, turns):
@@ -389,7 +381,37 @@ def _common_1(A, delta_h):
     return u_cr, c, root, V2, V4, V6, V8
 
 
-def _far_node(x, X2, less, both, K, c, T2, U2):
+def _common_2(A, T, beta, c, root, sum_0, sum_1, sum_2, sum_3, u_cr):
+    """The outputs of averaged_all_passed_1, averaged_all_passed_1_steeper."""
+    t0 = T * T
+    A2 = A * A
+    u_cr2 = u_cr * u_cr
+    T3 = T * t0
+    T4 = t0 * t0
+    T5 = T * T4
+    u_cr4 = u_cr2 * u_cr2
+    u_cr5 = u_cr * u_cr4
+    A3 = A * A2
+    c2 = c * c
+    c3 = c * c2
+    root2 = root * root
+    root3 = root * root2
+    A4 = A2 * A2
+    c4 = c2 * c2
+    c5 = c * c4
+    return (
+        20.371832715762604 * A * T3 * beta * sum_0 * u_cr2 / c - A,
+        -2.5464790894703255 * beta * (32.0 * A2 * T5 * sum_1 - 8.0 * T3 * sum_0 * u_cr2 / c) - 1.0,
+        -2.5464790894703255 * beta * (96.0 * A * T5 * sum_2 - u_cr5 / (A3 * c3 * root)),
+        -2.5464790894703255 * beta * (96.0 * T5 * sum_3 - 3.0 * u_cr5 / (A4 * c5 * root) + 3.0 * u_cr5 / (A4 * c3 *
+        root) + u_cr5 / (A2 * c3 * root3)),
+        20.371832715762604 * A * T3 * beta * sum_0 * u_cr2 / c,
+        -2.5464790894703255 * beta * (32.0 * A2 * T5 * sum_1 - 8.0 * T3 * sum_0 * u_cr2 / c),
+        81.487330863050417 * A3 * T5 * beta * sum_1,
+    )
+
+
+def _far_node(x, X2, less, both, K, c, T2, U2, W, Wq, Wq_2, Wq_3):
     """Terms of int sin^2 tan^(2n) (1/c - 1/Delta) at a node, by n."""
     g = 1.0 / (T2 * X2 + 1.0)
     v2 = X2 * g * g
@@ -401,10 +423,10 @@ def _far_node(x, X2, less, both, K, c, T2, U2):
     q = 4.0 * T2 * X2 / (t0 * t0)
     q2 = q * q
     q3 = q * q2
-    return term, q * term, q2 * term, q3 * term
+    return W + term, Wq + q * term, Wq_2 + q2 * term, Wq_3 + q3 * term
 
 
-def _harmonic_node(x, x2, less, weight, T, T2, c, A, u_cr):
+def _harmonic_node(x, x2, less, weight, T, T2, c, A, u_cr, sum_3_0, sum_3_1, sum_3_2, sum_3_3, sum_5_0, sum_5_1, sum_5_2, sum_5_3):
     """Terms of int g^(j)(A s) s^j T_n dt at a node, by n, then by j."""
     g = 1.0 / (T2 * x2 + 1.0)
     s = 2.0 * T * g * x
@@ -422,14 +444,14 @@ def _harmonic_node(x, x2, less, weight, T, T2, c, A, u_cr):
     s4 = s2 * s2
     square3 = square * square2
     return (
-        inverse * s * scale * v * (4.0 * s2 - 3.0),
-        s2 * scale * (inverse + v2 / (delta * square)) * (4.0 * s2 - 3.0),
-        3.0 * s3 * scale * v * (4.0 * s2 - 3.0) / (delta * square2),
-        s4 * scale * (4.0 * s2 - 3.0) * (12.0 * v2 + 3.0) / (delta * square3),
-        inverse * s * scale * v * (s2 * (16.0 * s2 - 20.0) + 5.0),
-        s2 * scale * (inverse + v2 / (delta * square)) * (s2 * (16.0 * s2 - 20.0) + 5.0),
-        3.0 * s3 * scale * v * (s2 * (16.0 * s2 - 20.0) + 5.0) / (delta * square2),
-        s4 * scale * (12.0 * v2 + 3.0) * (s2 * (16.0 * s2 - 20.0) + 5.0) / (delta * square3),
+        sum_3_0 + (inverse * s * scale * v * (4.0 * s2 - 3.0)),
+        sum_3_1 + (s2 * scale * (inverse + v2 / (delta * square)) * (4.0 * s2 - 3.0)),
+        sum_3_2 + (3.0 * s3 * scale * v * (4.0 * s2 - 3.0) / (delta * square2)),
+        sum_3_3 + (s4 * scale * (4.0 * s2 - 3.0) * (12.0 * v2 + 3.0) / (delta * square3)),
+        sum_5_0 + (inverse * s * scale * v * (s2 * (16.0 * s2 - 20.0) + 5.0)),
+        sum_5_1 + (s2 * scale * (inverse + v2 / (delta * square)) * (s2 * (16.0 * s2 - 20.0) + 5.0)),
+        sum_5_2 + (3.0 * s3 * scale * v * (s2 * (16.0 * s2 - 20.0) + 5.0) / (delta * square2)),
+        sum_5_3 + (s4 * scale * (12.0 * v2 + 3.0) * (s2 * (16.0 * s2 - 20.0) + 5.0) / (delta * square3)),
     )
 
 
@@ -444,7 +466,7 @@ def _means(a, b, e, total, squares, quarter, turns):
     return a, b, e, total, squares
 
 
-def _midpoint(s, cosine, A):
+def _midpoint(s, cosine, A, moment_3_0, moment_3_1, moment_3_2, moment_3_3, moment_5_0, moment_5_1, moment_5_2, moment_5_3):
     """Terms of int f^(n + j)(A s) s^j cos^(2n) t dt at a point, by n, then by j."""
     v = A * s
     delta = np.sqrt(1.0 - v) * np.sqrt(v + 1.0)
@@ -474,18 +496,18 @@ def _midpoint(s, cosine, A):
     delta16 = delta8 * delta8
     delta17 = delta * delta16
     return (
-        cosine6 * (12.0 * v2 + 3.0) / delta7,
-        cosine6 * s * v * (60.0 * v2 + 45.0) / delta9,
-        cosine6 * s2 * (v2 * (360.0 * v2 + 540.0) + 45.0) / delta11,
-        cosine6 * s3 * v * (v2 * (2520.0 * v2 + 6300.0) + 1575.0) / delta13,
-        cosine10 * (v2 * (360.0 * v2 + 540.0) + 45.0) / delta11,
-        cosine10 * s * v * (v2 * (2520.0 * v2 + 6300.0) + 1575.0) / delta13,
-        cosine10 * s2 * (v2 * (v2 * (20160.0 * v2 + 75600.0) + 37800.0) + 1575.0) / delta15,
-        cosine10 * s3 * v * (v2 * (v2 * (181440.0 * v2 + 952560.0) + 793800.0) + 99225.0) / delta17,
+        moment_3_0 + (cosine6 * (12.0 * v2 + 3.0) / delta7),
+        moment_3_1 + (cosine6 * s * v * (60.0 * v2 + 45.0) / delta9),
+        moment_3_2 + (cosine6 * s2 * (v2 * (360.0 * v2 + 540.0) + 45.0) / delta11),
+        moment_3_3 + (cosine6 * s3 * v * (v2 * (2520.0 * v2 + 6300.0) + 1575.0) / delta13),
+        moment_5_0 + (cosine10 * (v2 * (360.0 * v2 + 540.0) + 45.0) / delta11),
+        moment_5_1 + (cosine10 * s * v * (v2 * (2520.0 * v2 + 6300.0) + 1575.0) / delta13),
+        moment_5_2 + (cosine10 * s2 * (v2 * (v2 * (20160.0 * v2 + 75600.0) + 37800.0) + 1575.0) / delta15),
+        moment_5_3 + (cosine10 * s3 * v * (v2 * (v2 * (181440.0 * v2 + 952560.0) + 793800.0) + 99225.0) / delta17),
     )
 
 
-def _near_node(x, X2, less, both, K, c, T2, U2):
+def _near_node(x, X2, less, both, K, c, T2, U2, W, V3, V5, V7):
     """Terms of int sin^2 (1/c - 1/Delta), sin^4/Delta^3, sin^4/Delta^5, sin^4 (1 + 4 u^2)/Delta^7 at a node."""
     g = 1.0 / (T2 * X2 + 1.0)
     v2 = X2 * g * g
@@ -494,14 +516,14 @@ def _near_node(x, X2, less, both, K, c, T2, U2):
     f = K * g * v2 / delta
     fall = f * v2 / square
     return (
-        f * g * (-T2 * both + less) * (g * (T2 * x + x) + 1.0) / (c + delta),
-        fall,
-        fall / square,
-        fall * (4.0 * U2 * v2 + 1.0) / (square * square),
+        W + (f * g * (-T2 * both + less) * (g * (T2 * x + x) + 1.0) / (c + delta)),
+        V3 + fall,
+        V5 + fall / square,
+        V7 + (fall * (4.0 * U2 * v2 + 1.0) / (square * square)),
     )
 
 
-def _tangent_node(X2, K2, T2):
+def _tangent_node(X2, K2, T2, W, Wq, Wq_2, Wq_3):
     """Terms of int sin^2 tan^(2n) at a node, by n."""
     g = 1.0 / (T2 * X2 + 1.0)
     g2 = g * g
@@ -511,7 +533,7 @@ def _tangent_node(X2, K2, T2):
     q = 4.0 * T2 * X2 / (t0 * t0)
     q2 = q * q
     q3 = q * q2
-    return term, q * term, q2 * term, q3 * term
+    return W + term, Wq + q * term, Wq_2 + q2 * term, Wq_3 + q3 * term
 
 
 def _averaged_all_passed_0_end(A, alpha, beta, delta_h):
@@ -640,11 +662,7 @@ def _averaged_all_passed_1_far(A, alpha, beta, delta_h):
     U2 = 4.0 * A2 * t0
     sum_0 = sum_1 = sum_2 = sum_3 = 0.0
     for x, X2, less, both, K in _NODES_1:
-        (W_here, Wq_here, Wq_2_here, Wq_3_here) = _far_node(x, X2, less, both, K, c, t0, U2)
-        sum_0 = sum_0 + W_here
-        sum_1 = sum_1 + Wq_here
-        sum_2 = sum_2 + Wq_2_here
-        sum_3 = sum_3 + Wq_3_here
+        sum_0, sum_1, sum_2, sum_3 = _far_node(x, X2, less, both, K, c, t0, U2, sum_0, sum_1, sum_2, sum_3)
     u_cr2 = u_cr * u_cr
     T3 = T * t0
     return (
@@ -670,35 +688,11 @@ def _averaged_all_passed_1(A, alpha, beta, delta_h):
     U2 = 4.0 * A2 * t0
     sum_0 = sum_1 = sum_2 = sum_3 = 0.0
     for x, X2, less, both, K in _NODES_1:
-        (W_here, V3_here, V5_here, V7_here) = _near_node(x, X2, less, both, K, c, t0, U2)
-        sum_0 = sum_0 + W_here
-        sum_1 = sum_1 + V3_here
-        sum_2 = sum_2 + V5_here
-        sum_3 = sum_3 + V7_here
-    u_cr2 = u_cr * u_cr
-    T3 = T * t0
-    T4 = t0 * t0
-    T5 = T * T4
-    u_cr4 = u_cr2 * u_cr2
-    u_cr5 = u_cr * u_cr4
-    A3 = A * A2
-    c2 = c * c
-    c3 = c * c2
-    root2 = root * root
-    root3 = root * root2
-    A4 = A2 * A2
-    c4 = c2 * c2
-    c5 = c * c4
-    return (
-        20.371832715762604 * A * T3 * beta * sum_0 * u_cr2 / c - A,
-        -2.5464790894703255 * beta * (32.0 * A2 * T5 * sum_1 - 8.0 * T3 * sum_0 * u_cr2 / c) - 1.0,
-        -2.5464790894703255 * beta * (96.0 * A * T5 * sum_2 - u_cr5 / (A3 * c3 * root)),
-        -2.5464790894703255 * beta * (96.0 * T5 * sum_3 - 3.0 * u_cr5 / (A4 * c5 * root) + 3.0 * u_cr5 / (A4 * c3 *
-        root) + u_cr5 / (A2 * c3 * root3)),
-        20.371832715762604 * A * T3 * beta * sum_0 * u_cr2 / c,
-        -2.5464790894703255 * beta * (32.0 * A2 * T5 * sum_1 - 8.0 * T3 * sum_0 * u_cr2 / c),
-        81.487330863050417 * A3 * T5 * beta * sum_1,
+        sum_0, sum_1, sum_2, sum_3 = _near_node(x, X2, less, both, K, c, t0, U2, sum_0, sum_1, sum_2, sum_3)
+    result_0, result_1, result_2, result_3, result_4, result_5, result_6 = _common_2(
+        A, T, beta, c, root, sum_0, sum_1, sum_2, sum_3, u_cr
     )
+    return result_0, result_1, result_2, result_3, result_4, result_5, result_6
 
 
 def _averaged_all_passed_1_steeper_far(A, alpha, beta, delta_h):
@@ -711,11 +705,7 @@ def _averaged_all_passed_1_steeper_far(A, alpha, beta, delta_h):
     U2 = 4.0 * A2 * t0
     sum_0 = sum_1 = sum_2 = sum_3 = 0.0
     for x, X2, less, both, K in _NODES_2:
-        (W_here, Wq_here, Wq_2_here, Wq_3_here) = _far_node(x, X2, less, both, K, c, t0, U2)
-        sum_0 = sum_0 + W_here
-        sum_1 = sum_1 + Wq_here
-        sum_2 = sum_2 + Wq_2_here
-        sum_3 = sum_3 + Wq_3_here
+        sum_0, sum_1, sum_2, sum_3 = _far_node(x, X2, less, both, K, c, t0, U2, sum_0, sum_1, sum_2, sum_3)
     u_cr2 = u_cr * u_cr
     T3 = T * t0
     return (
@@ -744,34 +734,11 @@ def _averaged_all_passed_1_steeper(A, alpha, beta, delta_h):
     U2 = 4.0 * A2 * t0
     sum_0 = sum_1 = sum_2 = sum_3 = 0.0
     for x, X2, less, both, K in _NODES_2:
-        (W_here, V3_here, V5_here, V7_here) = _near_node(x, X2, less, both, K, c, t0, U2)
-        sum_0 = sum_0 + W_here
-        sum_1 = sum_1 + V3_here
-        sum_2 = sum_2 + V5_here
-        sum_3 = sum_3 + V7_here
-    u_cr2 = u_cr * u_cr
-    T3 = T * t0
-    T4 = t0 * t0
-    T5 = T * T4
-    u_cr4 = u_cr2 * u_cr2
-    u_cr5 = u_cr * u_cr4
-    A3 = A * A2
-    c3 = c * c2
-    root2 = root * root
-    root3 = root * root2
-    A4 = A2 * A2
-    c4 = c2 * c2
-    c5 = c * c4
-    return (
-        20.371832715762604 * A * T3 * beta * sum_0 * u_cr2 / c - A,
-        -2.5464790894703255 * beta * (32.0 * A2 * T5 * sum_1 - 8.0 * T3 * sum_0 * u_cr2 / c) - 1.0,
-        -2.5464790894703255 * beta * (96.0 * A * T5 * sum_2 - u_cr5 / (A3 * c3 * root)),
-        -2.5464790894703255 * beta * (96.0 * T5 * sum_3 - 3.0 * u_cr5 / (A4 * c5 * root) + 3.0 * u_cr5 / (A4 * c3 *
-        root) + u_cr5 / (A2 * c3 * root3)),
-        20.371832715762604 * A * T3 * beta * sum_0 * u_cr2 / c,
-        -2.5464790894703255 * beta * (32.0 * A2 * T5 * sum_1 - 8.0 * T3 * sum_0 * u_cr2 / c),
-        81.487330863050417 * A3 * T5 * beta * sum_1,
+        sum_0, sum_1, sum_2, sum_3 = _near_node(x, X2, less, both, K, c, t0, U2, sum_0, sum_1, sum_2, sum_3)
+    result_0, result_1, result_2, result_3, result_4, result_5, result_6 = _common_2(
+        A, T, beta, c, root, sum_0, sum_1, sum_2, sum_3, u_cr
     )
+    return result_0, result_1, result_2, result_3, result_4, result_5, result_6
 
 
 def _averaged_all_passed_1_steep_far(A, alpha, beta, delta_h):
@@ -781,11 +748,7 @@ def _averaged_all_passed_1_steep_far(A, alpha, beta, delta_h):
     A2 = A * A
     sum_0 = sum_1 = sum_2 = sum_3 = 0.0
     for X2, K2 in _NODES_3:
-        (W_here, Wq_here, Wq_2_here, Wq_3_here) = _tangent_node(X2, K2, t0)
-        sum_0 = sum_0 + W_here
-        sum_1 = sum_1 + Wq_here
-        sum_2 = sum_2 + Wq_2_here
-        sum_3 = sum_3 + Wq_3_here
+        sum_0, sum_1, sum_2, sum_3 = _tangent_node(X2, K2, t0, sum_0, sum_1, sum_2, sum_3)
     T3 = T * t0
     return (
         2.5464790894703255 * A * beta * (8.0 * T3 * sum_0 / c - V2) - A,
@@ -879,8 +842,7 @@ def _averaged_all_passed_1_steep(A, alpha, beta, delta_h):
     V8 = -3.2000000000000002 * R_3 * third * x2_3
     sum_0 = 0.0
     for X2, K2 in _NODES_3:
-        W_here = _arc_node(X2, K2, t0)
-        sum_0 = sum_0 + W_here
+        sum_0 = _arc_node(X2, K2, t0, sum_0)
     T3 = T * t0
     u_cr4 = u_cr2 * u_cr2
     u_cr5 = u_cr * u_cr4
@@ -917,16 +879,10 @@ def averaged_all(A: ArrayLike, alpha: ArrayLike, beta: ArrayLike, delta_h: Array
 def _harmonics_passed_0(A, alpha, beta, delta_h):
     moment_3_0 = moment_3_1 = moment_3_2 = moment_3_3 = moment_5_0 = moment_5_1 = moment_5_2 = moment_5_3 = 0.0
     for s, cosine in _NODES_4:
-        (moment_3_0_here, moment_3_1_here, moment_3_2_here, moment_3_3_here, moment_5_0_here, moment_5_1_here,
-            moment_5_2_here, moment_5_3_here) = _midpoint(s, cosine, A)
-        moment_3_0 = moment_3_0 + moment_3_0_here
-        moment_3_1 = moment_3_1 + moment_3_1_here
-        moment_3_2 = moment_3_2 + moment_3_2_here
-        moment_3_3 = moment_3_3 + moment_3_3_here
-        moment_5_0 = moment_5_0 + moment_5_0_here
-        moment_5_1 = moment_5_1 + moment_5_1_here
-        moment_5_2 = moment_5_2 + moment_5_2_here
-        moment_5_3 = moment_5_3 + moment_5_3_here
+        moment_3_0, moment_3_1, moment_3_2, moment_3_3, moment_5_0, moment_5_1, moment_5_2, moment_5_3 = _midpoint(
+            s, cosine, A, moment_3_0, moment_3_1, moment_3_2, moment_3_3, moment_5_0, moment_5_1, moment_5_2,
+            moment_5_3
+        )
     A2 = A * A
     A3 = A * A2
     A4 = A2 * A2
@@ -953,16 +909,10 @@ def _harmonics_passed_1(A, alpha, beta, delta_h):
     T2 = T * T
     sum_3_0 = sum_3_1 = sum_3_2 = sum_3_3 = sum_5_0 = sum_5_1 = sum_5_2 = sum_5_3 = 0.0
     for x, x2, less, weight in _NODES_5:
-        (sum_3_0_here, sum_3_1_here, sum_3_2_here, sum_3_3_here, sum_5_0_here, sum_5_1_here, sum_5_2_here,
-            sum_5_3_here) = _harmonic_node(x, x2, less, weight, T, T2, c, A, u_cr)
-        sum_3_0 = sum_3_0 + sum_3_0_here
-        sum_3_1 = sum_3_1 + sum_3_1_here
-        sum_3_2 = sum_3_2 + sum_3_2_here
-        sum_3_3 = sum_3_3 + sum_3_3_here
-        sum_5_0 = sum_5_0 + sum_5_0_here
-        sum_5_1 = sum_5_1 + sum_5_1_here
-        sum_5_2 = sum_5_2 + sum_5_2_here
-        sum_5_3 = sum_5_3 + sum_5_3_here
+        sum_3_0, sum_3_1, sum_3_2, sum_3_3, sum_5_0, sum_5_1, sum_5_2, sum_5_3 = _harmonic_node(
+            x, x2, less, weight, T, T2, c, A, u_cr, sum_3_0, sum_3_1, sum_3_2, sum_3_3, sum_5_0, sum_5_1, sum_5_2,
+            sum_5_3
+        )
     u_cr2 = u_cr * u_cr
     u_cr4 = u_cr2 * u_cr2
     A2 = A * A

@@ -9,9 +9,6 @@ to the digits of `flint.ctx`. passed_n is meant where A exceeds n breakpoints; b
 last of these. Equations and domains that are not stated here are those of rod_spring_untruncated.py.
 """
 
-# a formatter would spread each polynomial over a page
-# fmt: off
-
 from flint import arb
 
 from slowflow.support.balls import R_D, R_F

@@ -1,24 +1,14 @@
-
 """Second approximation of any mechanism, with higher harmonics, in A = A_1 + a_3 + a_5.
 
 Written by `make derive` from derivations/paper/averaging.py, derivations/paper/slow_flow.py,
 derivations/extensions/second_approximation.py, derivations/extensions/wave.py; never edit.
 
-Everything is dimensionless. Arguments broadcast; each output has their common shape, NumPy scalars for scalars, where
-arguments are of type ArrayLike, and the shape of those that it depends on where they may be any kind of number. Each
-docstring gives equation number, domain and floating-point operations, by regime where there are several.
-Rounding errors are in u (1 + kappa), u = 2^-53: proved ones hold wherever nothing overflows or underflows, measured
-ones are the worst of all outputs that was found, by a search for it with A 0.01 to 1, A_1 0.01 to 1, F_0 0.03 to
-0.1, Omega 0.3 to 2, a_3 up to 0.02 of either sign, a_5 up to 0.01 of either sign, cosine up to 0.99 of either sign,
-h 0.001 to 1 of either sign, h_3 up to 0.02 of either sign, h_3_A up to 0.2 of either sign, h_3_AA up to 2 of either
-sign, h_3_AAA up to 20 of either sign, h_5 up to 0.02 of either sign, h_5_A up to 0.2 of either sign, h_5_AA up to 2
-of either sign, h_5_AAA up to 20 of either sign, h_A up to 2 of either sign, h_AA up to 5 of either sign, h_AAA up
-to 20 of either sign, kappa up to 8 of either sign, m 0.001 to 0.03, sine up to 0.99 of either sign, turned up to
-3.14, zeta 0.004 to 0.1.
+Rounding errors were measured with A, A_1 0.01 to 1; F_0 0.03 to 0.1; Omega 0.3 to 2; a_3, h_3, h_5 up to 0.02 of
+either sign; a_5 up to 0.01 of either sign; cosine, sine up to 0.99 of either sign; h 0.001 to 1 of either sign;
+h_3_A, h_5_A up to 0.2 of either sign; h_3_AA, h_5_AA, h_A up to 2 of either sign; h_3_AAA, h_5_AAA, h_AAA up to 20
+of either sign; h_AA up to 5 of either sign; kappa up to 8 of either sign; m 0.001 to 0.03; turned up to 3.14; zeta
+0.004 to 0.1.
 """
-
-# a formatter would spread each polynomial over a page
-# fmt: off
 
 from __future__ import annotations
 

@@ -1,33 +1,16 @@
-
 """How answers move with the parameters: what the implicit function theorem asks for.
 
 Written by `make derive` from derivations/paper/averaging.py, derivations/paper/slow_flow.py,
 derivations/extensions/dissipation.py, derivations/extensions/inertia.py, derivations/systems/gradients.py; never
 edit.
 
-Everything is dimensionless. Arguments broadcast; each output has their common shape, NumPy scalars for scalars, where
-arguments are of type ArrayLike, and the shape of those that it depends on where they may be any kind of number. Each
-docstring gives equation number, domain and floating-point operations, by regime where there are several.
-Rounding errors are in u (1 + kappa), u = 2^-53: proved ones hold wherever nothing overflows or underflows, measured
-ones are the worst of all outputs that was found, by a search for it with A 1e-09 to 1000, A_p 1e-09 to 1000 of
-either sign or 0, F_0 1e-09 to 1000, F_0_p 1e-09 to 1000 of either sign or 0, I_0 1e-12 to 1 or 0, I_0A 1e-09 to
-1e+06 of either sign or 0, I_0AA 1e-09 to 1e+09 of either sign or 0, I_0AAA 1e-09 to 1e+12 of either sign or 0,
-I_0AAp 1e-09 to 1000 of either sign or 0, I_0Ap 1e-09 to 1000 of either sign or 0, I_0p 1e-09 to 1000 of either sign
-or 0, Omega 0.001 to 1000, Omega_p 1e-09 to 1000 of either sign or 0, R 1e-09 to 1e+06 of either sign or 0, S_F
-1e-09 to 1000 of either sign or 0, S_FOmega 1e-09 to 1000 of either sign or 0, S_Omega 1e-09 to 1000 of either sign
-or 0, S_OmegaOmega 1e-09 to 1000 of either sign or 0, d 1e-12 to 1000 or 0, d_3 1e-12 to 1000 or 0, d_3p 1e-09 to
-1000 of either sign or 0, d_p 1e-09 to 1000 of either sign or 0, end_p 1e-09 to 1000 of either sign or 0, force
-1e-09 to 1000, force_F 1e-09 to 1000 of either sign or 0, force_Omega 1e-09 to 1000 of either sign or 0, forcing_p
-1e-09 to 1000 of either sign or 0, frequency_p 1e-09 to 1000 of either sign or 0, h 1e-12 to 1000 of either sign or
-0, h_A 1e-09 to 1e+06 of either sign or 0, h_AA 1e-09 to 1e+09 of either sign or 0, h_AAA 1e-09 to 1e+12 of either
-sign or 0, h_AAp 1e-09 to 1000 of either sign or 0, h_Ap 1e-09 to 1000 of either sign or 0, h_p 1e-09 to 1000 of
-either sign or 0, zeta 1e-12 to 1 or 0, zeta_A 1e-09 to 1e+06 or 0, zeta_AA 1e-09 to 1e+06 or 0, zeta_AAA 1e-09 to
-1e+06 or 0, zeta_AAp 1e-09 to 1000 of either sign or 0, zeta_Ap 1e-09 to 1000 of either sign or 0, zeta_p 1e-09 to
-1000 of either sign or 0.
+Rounding errors were measured with A, F_0, force 1e-09 to 1000; A_p, F_0_p, I_0AAp, I_0Ap, I_0p, Omega_p, S_F,
+S_FOmega, S_Omega, S_OmegaOmega, d_3p, d_p, end_p, force_F, force_Omega, forcing_p, frequency_p, h_AAp, h_Ap, h_p,
+zeta_AAp, zeta_Ap, zeta_p 1e-09 to 1000 of either sign or 0; I_0, zeta 1e-12 to 1 or 0; I_0A, R, h_A 1e-09 to 1e+06
+of either sign or 0; I_0AA, h_AA 1e-09 to 1e+09 of either sign or 0; I_0AAA, h_AAA 1e-09 to 1e+12 of either sign or
+0; Omega 0.001 to 1000; d, d_3 1e-12 to 1000 or 0; h 1e-12 to 1000 of either sign or 0; zeta_A, zeta_AA, zeta_AAA
+1e-09 to 1e+06 or 0.
 """
-
-# a formatter would spread each polynomial over a page
-# fmt: off
 
 from __future__ import annotations
 
@@ -136,52 +119,9 @@ def slopes(Omega: Any, A: Any, R: Any, I_0: Any, I_0A: Any, I_0AA: Any, I_0AAA: 
         t38, t18, 0.0, 0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0,
     )
 
-
-def right(Omega: Any, A: Any, R: Any, I_0: Any, I_0A: Any, I_0AA: Any, zeta: Any, zeta_A: Any, zeta_AA: Any, d: Any, d_3: Any, h_A: Any, h_AA: Any, h_p: Any, h_Ap: Any, h_AAp: Any, I_0p: Any, I_0Ap: Any, I_0AAp: Any, zeta_p: Any, zeta_Ap: Any, zeta_AAp: Any, d_p: Any, d_3p: Any, forcing_p: Any, frequency_p: Any, end_p: Any) -> tuple[Any, Any, Any, Any, Any, Any, Any, Any]:
-    """What a parameter does to what vanishes, with the opposite sign.
-
-    Equation from (23)-(34). Domain: Omega > 0, A > 0. Operations: 120. Error / u (1 + kappa): proved -, -, -, -,
-    0.0, 0.0, 0.0, 0.0; measured 0.65.
-    """
-    t0 = 2.0 * zeta
-    t1 = Omega * t0
-    A2 = A * A
-    Omega2 = Omega * Omega
-    t2 = A2 * Omega2
-    Omega3 = Omega * Omega2
-    A3 = A * A2
-    t3 = A3 * Omega3
-    I = A * t1 + I_0 + d * t2 + d_3 * t3
-    t4 = 2.0 * Omega
-    t5 = A * t4
-    t6 = I_0p + d_3p * t3 + d_p * t2 + t5 * zeta_p
-    t7 = I * zeta_p
-    t8 = I * t5
-    t9 = Omega2 + h_A
-    t10 = 2.0 * A
-    t11 = Omega2 * t10
-    t12 = I * d_p
-    t13 = A2 * Omega3
-    t14 = 3.0 * I * d_3p
-    t15 = t4 * zeta_A
-    t16 = 3.0 * d_3
-    t17 = A * t15 + I_0A + d * t11 + t1 + t13 * t16
-    t18 = 4.0 * Omega
-    t19 = A * t17
-    t20 = I + t19
-    t21 = Omega * d
-    return (
-        -2.0 * (I * t6 + R * h_p),
-        -2.0 * (I * I_0Ap + R * h_Ap + h_p * t9 + t11 * t12 + t13 * t14 + t17 * t6 + t4 * t7 + t8 * zeta_Ap),
-        -2.0 * (6.0 * A * Omega3 * d_3p * t20 + I * I_0AAp + 2.0 * I_0Ap * t17 + 2.0 * Omega2 * d_p * (I + 2.0 *
-        t19) + R * h_AAp + h_AA * h_p + 2.0 * h_Ap * t9 + t17 * t18 * zeta_p + t18 * t20 * zeta_Ap + t6 * (I_0AA +
-        t15 + t4 * (A * Omega2 * t16 + t21 + zeta_A) + t5 * zeta_AA) + t8 * zeta_AAp),
-        -t10 * (h_p * t4 + t12 * t5 + t14 * t2 + t6 * (t0 + t10 * t21 + t16 * t2) + 2.0 * t7),
-        -h_p, forcing_p, frequency_p, end_p,
-    )
-
 #: functions that no Python code calls, which are in C, with their arguments; see generated/c/sensitivities.h
 FROM_C = {
+    "right": "Omega A R I_0 I_0A I_0AA zeta zeta_A zeta_AA d d_3 h_A h_AA h_p h_Ap h_AAp I_0p I_0Ap I_0AAp zeta_p zeta_Ap zeta_AAp d_p d_3p forcing_p frequency_p end_p",
     "of_state": "Omega A I_0 I_0A zeta zeta_A d d_3 h h_A force force_Omega force_F h_p I_0p zeta_p d_p d_3p A_p Omega_p F_0_p",
     "by_force": "Omega F_0",
     "by_inertia": "Omega F_0",

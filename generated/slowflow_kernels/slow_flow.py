@@ -1,24 +1,14 @@
-
 """Slow flow of any mechanism, in h = H - A and its derivatives.
 
 Written by `make derive` from derivations/paper/averaging.py, derivations/paper/slow_flow.py,
 derivations/asymmetric/offset.py, derivations/systems/along.py, derivations/systems/slopes.py,
 derivations/systems/newton.py, derivations/paper/critical_forcings.py; never edit.
 
-Everything is dimensionless. Arguments broadcast; each output has their common shape, NumPy scalars for scalars, where
-arguments are of type ArrayLike, and the shape of those that it depends on where they may be any kind of number. Each
-docstring gives equation number, domain and floating-point operations, by regime where there are several.
-Rounding errors are in u (1 + kappa), u = 2^-53: proved ones hold wherever nothing overflows or underflows, measured
-ones are the worst of all outputs that was found, by a search for it with A 1e-09 to 1000, F_0 1e-09 to 1000, Omega
-0.001 to 1000, R 1e-09 to 1e+06 of either sign or 0, T 1e-09 to 1e+06 of either sign or 0, X 1e-06 to 1e+06, h 1e-12
-to 1000 of either sign or 0, h_A 1e-09 to 1e+06 of either sign or 0, h_AA 1e-09 to 1e+09 of either sign or 0, h_AAA
-1e-09 to 1e+12 of either sign or 0, k 1e-09 to 1000 of either sign, k_A 1e-09 to 1e+06 of either sign or 0, lacks
-1e-09 to 1000 of either sign or 0, m 1e-12 to 1 or 0, mu 1e-12 to 1 or 0, preload 1e-12 to 1 or 0, reduction 1e-12
-to 1 or 0, root 1e-09 to 1000 of either sign, zeta 1e-12 to 1 or 0.
+Rounding errors were measured with A, F_0 1e-09 to 1000; Omega 0.001 to 1000; R, T, h_A, k_A 1e-09 to 1e+06 of
+either sign or 0; X 1e-06 to 1e+06; h 1e-12 to 1000 of either sign or 0; h_AA 1e-09 to 1e+09 of either sign or 0;
+h_AAA 1e-09 to 1e+12 of either sign or 0; k, root 1e-09 to 1000 of either sign; lacks 1e-09 to 1000 of either sign
+or 0; m, mu, preload, reduction, zeta 1e-12 to 1 or 0.
 """
-
-# a formatter would spread each polynomial over a page
-# fmt: off
 
 from __future__ import annotations
 
@@ -400,24 +390,6 @@ def cusp(A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h_AA: ArrayLike, h_AAA: Ar
     )
 
 
-def turn(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h_AA: ArrayLike, k: ArrayLike) -> tuple[Any, Any]:
-    """F_A/2 where F_AOmega = 0, an extremum of F_A over Omega, and its slope along A.
-
-    Equation from (30). Domain: Omega > 0, A > 0. Operations: 28. Error / u (1 + kappa): measured 1.5.
-    """
-    Omega, A, m, zeta, h_AA, k = floats(Omega, A, m, zeta, h_AA, k)
-    t0 = A * Omega * zeta
-    I = m + 2.0 * t0
-    drawn = 0.5 * zeta * (m + 4.0 * t0) / Omega
-    t1 = 0.5 * k
-    t2 = -drawn - t1
-    t3 = -drawn + t1
-    return broadcast_outputs((Omega, A, m, zeta, h_AA, k),
-        2.0 * I * Omega * zeta + t2 * t3 / A,
-        4.0 * Omega * Omega * zeta * zeta + h_AA * t3 + t2 * t2 / (A * A),
-    )
-
-
 def mean_stiffness(A: ArrayLike, h: ArrayLike, h_A: ArrayLike) -> Any:
     """Mean of the stiffness over a cycle of a motion about u = 0, which stays about it where this is positive.
 
@@ -453,22 +425,6 @@ def offset_stiffness(Omega: ArrayLike, A: ArrayLike, h: ArrayLike, h_A: ArrayLik
     return number_by_regime((0.5 * np.abs(h_A) + 0.5 * np.abs(h) / A <= np.abs(8.0 * Omega * Omega + h_A + h / A),), bodies, arguments)
 
 
-def Omega_A(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike, h_A: ArrayLike) -> Any:
-    """dOmega/dA along the response.
-
-    Equation from (24). Domain: Omega > 0, A > 0. Operations: 18. Error / u (1 + kappa): measured 1.9.
-    """
-    Omega, A, m, zeta, h, h_A = floats(Omega, A, m, zeta, h, h_A)
-    t0 = Omega * Omega
-    R = A * t0 + h
-    t1 = 2.0 * Omega
-    I = A * t1 * zeta + m
-    t2 = I * zeta
-    F_A = 2.0 * (R * (h_A + t0) + t1 * t2)
-    F_Omega = 4.0 * A * (Omega * R + t2)
-    return -F_A / F_Omega
-
-
 if NATIVE is not None:
     globals().update(compiled(globals(), NATIVE.slow_flow()))
 #: functions that no Python code calls, which are in C, with their arguments; see generated/c/slow_flow.h
@@ -483,8 +439,10 @@ FROM_C = {
     "isola": "A m zeta h h_A h_AA",
     "cusp_R": "A zeta h_AA k X T",
     "cusp_balance": "A m zeta h k X T",
+    "turn": "Omega A m zeta h_AA k",
     "peak": "Omega A F_0 m zeta h_A",
     "peak_Omega_A": "Omega A m zeta h_A",
+    "Omega_A": "Omega A m zeta h h_A",
     "level_rise": "Omega A m zeta h h_A h_AA",
     "cusp_bend": "Omega A zeta h_AA h_AAA T",
     "isola_bend": "Omega A m zeta h_AA",

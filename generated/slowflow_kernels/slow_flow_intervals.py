@@ -8,9 +8,6 @@ Each output holds every value that the function of the same name takes on the ar
 the methods `square` and `sqrt`. Equations and domains that are not stated here are those of slow_flow.py.
 """
 
-# a formatter would spread each polynomial over a page
-# fmt: off
-
 __all__ = [
     "backbone", "cusp", "cusp_bend", "cusp_R", "cusps", "F", "F_A", "F_AA", "F_AOmega", "F_Omega",
     "F_Omega_reduced", "F_OmegaOmega", "fold", "intercept", "isola", "isola_bend", "isola_Omega", "least_restoring",

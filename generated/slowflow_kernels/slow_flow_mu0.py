@@ -1,21 +1,13 @@
-
 """Slow flow of any mechanism, in h = H - A and its derivatives, in the scene mu = 0.
 
 Written by `make derive` from derivations/paper/averaging.py, derivations/paper/slow_flow.py,
 derivations/asymmetric/offset.py, derivations/systems/along.py, derivations/systems/slopes.py,
 derivations/systems/newton.py, derivations/paper/critical_forcings.py; never edit.
 
-Everything is dimensionless. Arguments broadcast; each output has their common shape, NumPy scalars for scalars, where
-arguments are of type ArrayLike, and the shape of those that it depends on where they may be any kind of number. Each
-docstring gives equation number, domain and floating-point operations, by regime where there are several.
-Rounding errors are in u (1 + kappa), u = 2^-53: proved ones hold wherever nothing overflows or underflows, measured
-ones are the worst of all outputs that was found, by a search for it with A 1e-09 to 1000, F_0 1e-09 to 1000, h
-1e-12 to 1000 of either sign or 0, h_A 1e-09 to 1e+06 of either sign or 0, h_AA 1e-09 to 1e+09 of either sign or 0,
-k 1e-09 to 1000 of either sign, k_A 1e-09 to 1e+06 of either sign or 0, m 1e-12 to 1 or 0, zeta 1e-12 to 1 or 0.
+Rounding errors were measured with A, F_0 1e-09 to 1000; h 1e-12 to 1000 of either sign or 0; h_A, k_A 1e-09 to
+1e+06 of either sign or 0; h_AA 1e-09 to 1e+09 of either sign or 0; k 1e-09 to 1000 of either sign; m, zeta 1e-12 to
+1 or 0.
 """
-
-# a formatter would spread each polynomial over a page
-# fmt: off
 
 from __future__ import annotations
 

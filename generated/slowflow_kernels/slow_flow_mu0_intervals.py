@@ -8,9 +8,6 @@ Each output holds every value that the function of the same name takes on the ar
 the methods `square` and `sqrt`. Equations and domains that are not stated here are those of slow_flow_mu0.py.
 """
 
-# a formatter would spread each polynomial over a page
-# fmt: off
-
 __all__ = [
     "F_Omega_reduced", "isola",
 ]

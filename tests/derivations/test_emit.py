@@ -368,6 +368,26 @@ def test_what_kernels_have_in_common_is_one_function():
         assert len(shared.lets) == (1 if calls[name] else len(program.lets))
 
 
+def test_regimes_that_end_alike_share_their_end():
+    """From a named quantity on, which each regime computes in its own way; a third regime has other outputs."""
+    names = sp.symbols("s_0:30", real=True)
+
+    def branch(name, begin, last):
+        steps = ((name, earlier * (earlier + x) / y) for earlier, name in itertools.pairwise(names))
+        return Branch(name, (), ((names[0], begin), *steps), (names[-1] + last, names[-1] * x))
+
+    branches = (branch("low", x + z, y), branch("high", x - z, y), branch("other", x + z, z))
+    kernel = Kernel("ends", (x, y, z), branches, "", "", "", "tuple")
+    code = {"ends": tuple(straight_line(one.lets, one.outputs, kernel.arguments) for one in branches)}
+    found = with_calls([kernel], code, PRINTER)["ends"]
+    low, high, other = ([value.repeated for _, value in one.lets if isinstance(value, Output)] for one in found)
+    assert {one.doc for one in low} == {one.doc for one in high} == {"The outputs of ends_low, ends_high."}
+    assert not {one.name for one in other} & {one.name for one in low}
+    at = {x: mpf(2), y: mpf(7), z: mpf(-1)}
+    for shared, program in zip(found, code["ends"], strict=True):
+        assert evaluated(shared.lets, shared.outputs, at) == evaluated(program.lets, program.outputs, at)
+
+
 def test_repeats_are_refused_where_a_language_cannot_print_them():
     a, b = sp.symbols("a b", real=True)
     with pytest.raises(ArithmeticError, match="symbols or numbers"):

@@ -13,7 +13,7 @@
 #include "clones.h"
 
 enum {
-    SF_MOST_OPERANDS = 32,
+    SF_MOST_OPERANDS = 64,
     SF_BLOCK = 256 /* no loop is given more than a block, and whole vectors */
 };
 
@@ -65,6 +65,12 @@ typedef void (*sf_choose)(ptrdiff_t n, const double *const *in, unsigned char *r
 #define SF_ARGUMENTS_19 SF_ARGUMENTS_18, X(18)
 #define SF_ARGUMENTS_20 SF_ARGUMENTS_19, X(19)
 #define SF_ARGUMENTS_21 SF_ARGUMENTS_20, X(20)
+#define SF_ARGUMENTS_22 SF_ARGUMENTS_21, X(21)
+#define SF_ARGUMENTS_23 SF_ARGUMENTS_22, X(22)
+#define SF_ARGUMENTS_24 SF_ARGUMENTS_23, X(23)
+#define SF_ARGUMENTS_25 SF_ARGUMENTS_24, X(24)
+#define SF_ARGUMENTS_26 SF_ARGUMENTS_25, X(25)
+#define SF_ARGUMENTS_27 SF_ARGUMENTS_26, X(26)
 
 /* Of a kernel with one regime, whose function takes its arguments in order: the loop, and its entry in the table. */
 #define SF_NUMBER(module, name, inputs) SF_SCALAR(, module##_##name, module##_##name, SF_ARGUMENTS_##inputs)

@@ -173,7 +173,6 @@ DISSIPATION: Definitions = {
     "F_AA": derivative("F_AA", SECOND_ORDER),
     "F_Omega": derivative("F_Omega", LOCAL),
     "F_OmegaOmega": derivative("F_OmegaOmega", LOCAL),
-    "F_AOmega": derivative("F_AOmega", FIRST_ORDER),
     "F_AOmegaOmega": derivative("F_AOmegaOmega", FIRST_ORDER),
     "Omega_A": by_laws(FIRST_ORDER, lambda laws: stays(laws.F)),
     "stability": by_laws(FIRST_ORDER, lambda laws: laws("F_A") / (2 * laws.A.value)),

@@ -201,7 +201,6 @@ INERTIA: Definitions = {
     "peak_share": by_arguments("Omega A m zeta", shaken_peak_share),
     "Omega_of_share": ("A F_0 m zeta share", shaken_Omega_of_share),
     # what tells minima from maxima of the fold locus: as for a force, with the level's slope for F_Omega
-    "level_rise": by_laws("Omega A m zeta h h_A h_AA", lambda laws: -laws.fall.value * laws("F_AA") * laws("F_AOmega")),
     "cusp_bend": by_laws(
         "Omega A m zeta h h_A h_AA h_AAA", lambda laws: -laws.fall.value * laws("F_AAA") * laws("F_AOmega")
     ),

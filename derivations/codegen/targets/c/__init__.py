@@ -24,7 +24,6 @@ from ...views import (
     RepeatedView,
     composition_view,
     heading,
-    lines_of,
     regimes,
     repeated_views,
     tables,
@@ -87,7 +86,7 @@ def headers(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
         kernels = [one for one in module.kernels if one.in_c and one.name not in included]
         shared = with_calls(kernels, of_module, PRINTER)
         views = [view(one, of_module[one.name], PRINTER, shared[one.name]) for one in kernels]
-        repeated = repeated_views(of_module | shared, PRINTER)
+        repeated = repeated_views(of_module | shared, PRINTER, views)
         result[f"c/{module.name}.h"] = environment.get_template("header.h.jinja").render(
             module=module,
             includes_generic=bool(included),
@@ -99,7 +98,6 @@ def headers(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
             regimes=regimes(module),
             numbers=numbers(module),
             tables=tables(views),
-            columns={line.function: line.columns for line in lines_of(views) if line.table},
             measured=measured.of(module),
             rule=[(literal(node), literal(weight)) for node, weight in rule()] if module.sums else [],
             heading=heading(module),

@@ -136,16 +136,18 @@ def rules() -> list[tuple[str, list[str], str, str]]:
 
 @dataclass(frozen=True)
 class Body:
-    """A C function: declarations (name, expression), statements, and the arguments that neither uses."""
+    """A C function: declarations (name, expression), and statements."""
 
     declarations: tuple[tuple[str, str], ...]
     statements: tuple[str, ...]
-    unused: tuple[str, ...]
+
+    @property
+    def constants(self) -> tuple[tuple[str, str], ...]:
+        """The declarations of what is in the array of constants."""
+        return tuple(one for one in self.declarations if one[1].startswith("p["))
 
 
-def body(
-    arguments: Sequence[str], known: Sequence[tuple[str, str]], statements: Sequence[str], result: str = ""
-) -> Body:
+def body(known: Sequence[tuple[str, str]], statements: Sequence[str], result: str = "") -> Body:
     """The statements with those of the known quantities, each of which may need earlier ones, that they need."""
     statements = (*statements, f"return {result};") if result else tuple(statements)
     texts, needed = list(statements), []
@@ -153,8 +155,7 @@ def body(
         if any(_names(name, text) for text in texts):
             needed.insert(0, (name, value))
             texts.append(value)
-    unused = tuple(argument for argument in arguments if not any(_names(argument, text) for text in texts))
-    return Body(tuple(needed), statements, unused)
+    return Body(tuple(needed), statements)
 
 
 def _takes(number: int, text: str) -> bool:
@@ -261,7 +262,7 @@ def powers(lets: Sequence[Let], force: sp.Expr, constants: tuple[sp.Symbol, ...]
         return None
     coefficients = sp.Poly(stated, u).all_coeffs()[::-1]
     lines = [f"c[{power}] = {PRINTER.doprint(factor)};" for power, factor in enumerate(coefficients)]
-    return body(("p", "c"), packed(constants), lines, str(len(coefficients) - 1))
+    return body(packed(constants), lines, str(len(coefficients) - 1))
 
 
 def in_full(lets: Sequence[Let], expression: sp.Expr) -> sp.Expr:
@@ -330,7 +331,7 @@ def scalar(lets: Sequence[Let], expression: sp.Expr, constants: tuple[sp.Symbol,
     """A function of the constants p and u."""
     program = straight_line(lets, [expression], (u, *constants, SIDE))
     known = [*packed(constants), *((symbol.name, PRINTER.doprint(value)) for symbol, value in program.lets)]
-    return body(("self", "p", "u"), known, (), PRINTER.doprint(program.outputs[0]))
+    return body(known, (), PRINTER.doprint(program.outputs[0]))
 
 
 def packed(constants: tuple[sp.Symbol, ...]) -> list[tuple[str, str]]:
@@ -385,7 +386,7 @@ class Recurrence:
                     [f"first[{number}] = {line.leading};"] + [f"over[{number}] = {line.over};"] * bool(line.over) + made
                 )
                 texts += [line.leading, line.over]
-        return body(("p", "first", "over"), self.known, made)
+        return body(self.known, made)
 
     @property
     def next(self) -> Body:
@@ -397,7 +398,7 @@ class Recurrence:
         for i in range(self.fours):
             left, right = zip(*self.padded[LANES * i : LANES * (i + 1)], strict=True)
             made += [f"left[{i}] = sf_four_of({', '.join(left)});", f"right[{i}] = sf_four_of({', '.join(right)});"]
-        return body(("c", "p", "w", "left", "right"), known, made)
+        return body(known, made)
 
     @property
     def padded(self) -> list[tuple[str, str]]:

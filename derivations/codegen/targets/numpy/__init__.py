@@ -96,7 +96,7 @@ def text(module: Module, code: Code) -> str:
             module=module,
             kernels=views,
             tables=tables(views),
-            repeated=repeated_views(code | calls, PRINTER),
+            repeated=repeated_views(code | calls, PRINTER, views),
             compositions=[composition_view(composition, CALLS) for composition in module.compositions],
             exported=exported(module),
             typed={one.name: signature(one) for one in named},

@@ -18,7 +18,7 @@ from ..c import calls
 from ..c.records import guards_of
 
 # SF_MOST_OPERANDS in kernels.h
-MOST_OPERANDS = 32
+MOST_OPERANDS = 64
 #: a space that no line ends with
 UNBROKEN = "\xa0"
 
