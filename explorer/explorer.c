@@ -5,7 +5,6 @@
  * forces of the package's mechanisms and of the library's, where the pieces of a force end that is not odd, and what
  * the page calls them.
  */
-#define SF_WITHOUT_LAWS
 #include "curve.h"
 #include "inertial.h"
 #include "onset.h"

@@ -1,10 +1,11 @@
 "use strict";
 /* The compiled solvers. Takes numbers without dimensions; returns plain objects of arrays. Page and worker share this. */
 
-/** WebAssembly from base64. */
-function compileSolvers(text) {
-  const bytes = Uint8Array.from(atob(text.trim()), (letter) => letter.charCodeAt(0));
-  return WebAssembly.compile(bytes);
+/** WebAssembly from base64 of what zlib packed. */
+async function compileSolvers(text) {
+  const packed = Uint8Array.from(atob(text.trim()), (letter) => letter.charCodeAt(0));
+  const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("deflate"));
+  return WebAssembly.compile(await new Response(stream).arrayBuffer());
 }
 
 class Solvers {

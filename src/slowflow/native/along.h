@@ -79,7 +79,7 @@ static inline sf_task sf_task_of(sf_question question, const sf_model *model, do
 
 /* Whether I_0 changes with A on the piece that begins at or below A, as by other laws of damping. */
 static inline int sf_has_sloping_rest(const sf_model *model, double A) {
-    return sf_has_laws(model) && (model->eta > 0 || (model->released != 0 && model->m > 0 && A >= model->b[0]));
+    return model->by_laws && (model->eta > 0 || (model->released != 0 && model->m > 0 && A >= model->b[0]));
 }
 
 /* h over A at A = 0; where I_0 changes with A, F_A at Omega = 0 */
@@ -266,7 +266,7 @@ static inline void sf_ask_undamped(const sf_sample *at, sf_answer *out) {
  * F_0: where nothing pulls the first is I_0 less F_0 */
 static inline void sf_ask_rest(const sf_model *model, double F_0, const sf_sample *at, sf_answer *out) {
     double halves[4];
-    if (sf_has_laws(model)) {
+    if (model->by_laws) {
         const sf_law_terms of = sf_law_terms_below(model, at->A);
         if (at->h == 0 && at->h_A == 0) {
             out->exists[0] = 1, out->y[0] = of.rest[0] - F_0, out->dy[0] = of.rest[1];

@@ -19,7 +19,7 @@ static void sf_isolate_at(const sf_model *model, const sf_sample *at, double F_0
 
 /* Whether roots are those of a polynomial of laws.h: of any laws, and of the response to an excitation by inertia. */
 static int sf_is_of_laws(const sf_model *model, double F_0) {
-    return sf_has_laws(model) || (F_0 >= 0 && sf_inertial(model));
+    return model->by_laws || (F_0 >= 0 && sf_inertial(model));
 }
 
 static void sf_make_law_polynomial_at(const sf_model *model, const sf_sample *at, double F_0, sf_law_polynomial *q) {
@@ -151,7 +151,7 @@ static void sf_link(const sf_model *model, double F_0, sf_graph *graph, int k) {
     for (int i = 0; i < graph->count[poor]; i++) {
         const int other = first_rich + (i < gone ? i : i + lost);
         /* by other laws, where one ends at Omega = 0 and another begins they meet; without, one goes by */
-        const int is_at_rest = i == 0 && lost == 0 && event->kind == SF_TO_ZERO && sf_has_laws(model);
+        const int is_at_rest = i == 0 && lost == 0 && event->kind == SF_TO_ZERO && model->by_laws;
         const double Omega = is_at_rest ? 0 : sf_branch_at(model, &at, F_0, graph->count[poor], i);
         sf_end(graph, first_poor + i, 1 - rich_end, event->A, Omega);
         sf_end(graph, other, rich_end, event->A, Omega);

@@ -122,7 +122,7 @@ static int sf_inertial_bounds(const sf_model *model, double F_0, double A) {
     double values[2];
     if (model->zeta > 0 && sf_viscous_bounds(model, F_0, A))
         return 1;
-    if (!sf_has_laws(model))
+    if (!model->by_laws)
         return 0;
     const sf_sample at = sf_sample_without_k_at(model, A);
     const sf_interval h_A = sf_slope_from(model, &at);
@@ -209,7 +209,7 @@ static double sf_bound_of_laws(const sf_model *model, double F_0) {
  * where a response does not close, with an amplitude at which to cut it; by other laws SF_NO_BOUND also where numbers
  * up to it leave the range of doubles. */
 static sf_status sf_amplitude_bound(const sf_model *model, double F_0, double *A_max) {
-    const int bent = model->mechanism->bent != NULL, inertial = sf_inertial(model), laws = sf_has_laws(model);
+    const int bent = model->mechanism->bent != NULL, inertial = sf_inertial(model), laws = model->by_laws;
     int (*const bounds)(const sf_model *, double, double) = bent       ? sf_bounds_bent
                                                             : inertial ? sf_inertial_bounds
                                                                        : sf_bounds;
@@ -269,7 +269,7 @@ static double sf_undamped_cut(const sf_model *model, double F_0) {
 /* Where to stop at F_0: above every steady state, or, with SF_UNBOUNDED, where a response is cut that does not close;
  * undamped ones are cut too. */
 static sf_status sf_range_by_spring(const sf_model *model, double F_0, double *A_max) {
-    if (sf_has_laws(model) || model->zeta > 0)
+    if (model->by_laws || model->zeta > 0)
         return sf_amplitude_bound(model, F_0, A_max);
     *A_max = sf_undamped_cut(model, F_0);
     return SF_OK;
@@ -280,7 +280,7 @@ static sf_status sf_range_at(const sf_model *model, double F_0, double *A_max) {
     sf_status status = sf_range_by_spring(model, F_0, A_max);
     if (status == SF_NO_BOUND && model->eta == 0 && sf_lets_go(model)) {
         status = sf_bound_by_damping(model, F_0, A_max);
-        if (sf_has_laws(model) && !sf_laws_are_in_range(model, F_0, *A_max))
+        if (model->by_laws && !sf_laws_are_in_range(model, F_0, *A_max))
             status = SF_NO_BOUND;
     }
     return status;

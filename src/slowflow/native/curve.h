@@ -24,7 +24,7 @@ static int sf_is_biquadratic(const sf_model *model, double F_0, double A) {
     if (sf_inertial(model))
         return 0;
     const sf_sample at = sf_sample_at(model, A);
-    if (sf_has_laws(model)) {
+    if (model->by_laws) {
         sf_law_polynomial by_laws;
         sf_make_law_polynomial(model, &at, SF_OF_RESPONSE, F_0, sf_is_beyond(model, A), &by_laws);
         return by_laws.c[1] == 0 && by_laws.c[2] < 0;
@@ -150,7 +150,7 @@ static void sf_inertial_law_graph(const sf_model *model, double F_0, sf_work *wo
 
 /* The arcs between its events: peaks, static states and breakpoints. Needs the pieces of work. */
 static void sf_response_graph(const sf_model *model, double F_0, sf_work *work) {
-    const int laws = sf_has_laws(model), inertial = sf_inertial(model), is_apart = laws && inertial;
+    const int laws = model->by_laws, inertial = sf_inertial(model), is_apart = laws && inertial;
     sf_graph *graph = &work->response;
     sf_zeros *zeros = &work->zeros;
     int passed = laws || !inertial;
@@ -215,7 +215,7 @@ static int sf_arc_of_fold(const sf_model *model, double F_0, const sf_graph *gra
 static int sf_is_stable(const sf_model *model, double F_0, const sf_segment *segment) {
     const sf_sample at = sf_sample_at(model, 0.5 * (segment->A[0] + segment->A[1]));
     const double Omega = sf_branch_at(model, &at, F_0, segment->count, segment->index);
-    if (sf_has_laws(model))
+    if (model->by_laws)
         return sf_law_F_A(model, &at, Omega, sf_is_beyond(model, at.A)) > 0;
     if (sf_inertial(model) || !(at.A * Omega * Omega > SF_SHARP * F_0))
         return sf_half_F_A(model, &at, Omega) > 0;
@@ -269,7 +269,7 @@ static sf_status sf_make_skeleton(const sf_model *model, const sf_inputs *inputs
     sf_work *work = &room->work;
     sf_skeleton *out = &work->skeleton;
     int arc_of[SF_MOST_FOLDS], lost = 0;
-    const int laws = sf_has_laws(model);
+    const int laws = model->by_laws;
     const sf_status status = sf_decided_folds(model, inputs, F_0, room, &work->folds);
     out->segments = out->curves = 0, out->start[0] = 0;
     if (status != SF_OK)
@@ -327,7 +327,7 @@ static double sf_tail_amplitude(const sf_model *model, double F_0, const sf_segm
 
 /* A last Newton step on F at fixed Omega, where F_A leaves one; the residual is in double-double. */
 static double sf_polish_amplitude(const sf_model *model, double F_0, double Omega, const sf_sample *at) {
-    const int laws = sf_has_laws(model);
+    const int laws = model->by_laws;
     sf_quartic s;
     s.kind = SF_RESPONSE;
     s.A = at->A, s.h = at->h, s.h_A = at->h_A, s.F_0 = sf_force(model, F_0, Omega);
@@ -361,10 +361,9 @@ static double sf_amplitude_on(const sf_model *model, double F_0, const sf_segmen
             lo = A;
         else
             hi = A;
-        slope =
-            sf_has_laws(model)
-                ? sf_law_Omega_A(model, &at, w)
-                : (sf_inertial(model) ? inertia_Omega_A : slow_flow_Omega_A)(w, A, model->m, model->zeta, at.h, at.h_A);
+        slope = model->by_laws ? sf_law_Omega_A(model, &at, w)
+                               : (sf_inertial(model) ? inertia_Omega_A : slow_flow_Omega_A)(w, A, model->m, model->zeta,
+                                                                                            at.h, at.h_A);
         double next = A - (w - Omega) / slope;
         const double shift = fabs(next - A);
         if (shift <= SF_AT_ROOT * A || !(lo < hi))
@@ -537,7 +536,7 @@ static void sf_numbers_between(double low, double high, int n, double *x) {
  * are, for an excitation by inertia, or by other laws of damping. */
 static void sf_frequencies_along(const sf_model *model, double F_0, const sf_segment *segment, int n, const double *A,
                                  double *Omega) {
-    const int in_lanes = !sf_inertial(model) && !sf_has_laws(model);
+    const int in_lanes = !sf_inertial(model) && !model->by_laws;
     sf_quartics block;
     sf_jobs jobs;
     for (int first = 0; first < n; first += SF_QUARTICS) {

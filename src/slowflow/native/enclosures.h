@@ -329,7 +329,7 @@ static inline void sf_range_rest_by_laws(const sf_model *model, double F_0, cons
 
 static inline void sf_range_rest(const sf_model *model, double F_0, const sf_cell *cell, sf_range out[2]) {
     double halves[3];
-    if (sf_has_laws(model)) {
+    if (model->by_laws) {
         sf_range_rest_by_laws(model, F_0, cell, out);
         return;
     }

@@ -22,25 +22,8 @@
 /* of Newton's method, kept in a bracket */
 enum { SF_MOST_LAW_STEPS = 200 };
 
-/* SF_WITHOUT_LAWS: who has none leaves out what answers for them. */
-static inline int sf_has_laws(const sf_model *model) {
-#ifdef SF_WITHOUT_LAWS
-    (void)model;
-    return 0;
-#else
-    return model->by_laws;
-#endif
-}
-
 /* Whether folds are looked for as points of amplitude and frequency (points.h): by other laws, or by inertia. */
-static inline int sf_is_searched(const sf_model *model) {
-#ifdef SF_WITHOUT_LAWS
-    (void)model;
-    return 0;
-#else
-    return model->by_laws || sf_inertial(model);
-#endif
-}
+static inline int sf_is_searched(const sf_model *model) { return model->by_laws || sf_inertial(model); }
 
 /* mu, zeta, eta, c_2, c_3, zeta_2, and whether friction ends at the first breakpoint */
 static inline int sf_laws_damping_of(const double *inputs, double *damping) {

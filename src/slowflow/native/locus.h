@@ -49,7 +49,7 @@ static void sf_ask_boxes(const sf_model *model, sf_question question, const sf_s
 
 /* Cusps and isola points of a piece, added to those found; and for zeta = 0 where the locus touches the backbone. */
 static void sf_extrema_on(const sf_model *model, const sf_stretch *piece, sf_law_search *search, sf_zeros *found) {
-    if (sf_has_laws(model)) {
+    if (model->by_laws) {
         sf_ask_boxes(model, SF_ISOLA, piece, search, found);
         sf_ask_boxes(model, SF_CUSP, piece, search, found);
     } else if (model->zeta == 0) {
@@ -69,7 +69,7 @@ static void sf_locus_zeros(const sf_model *model, const sf_stretch *piece, int w
     found->undecided = 0;
     sf_extrema_on(model, piece, search, found);
     const int undecided = found->undecided;
-    if (whole && sf_has_laws(model))
+    if (whole && model->by_laws)
         sf_ask_boxes(model, SF_TURN, piece, search, found);
     else if (whole && model->zeta > 0)
         sf_ask_all(model, SF_TURN, 0, piece, found);
@@ -213,7 +213,7 @@ static double sf_settled_Omega(const sf_model *model, double F_0, const sf_sampl
 static int sf_is_stable_below(const sf_model *model, double F_0, const sf_sample *at, double w) {
     const sf_task task = sf_task_of(SF_FOLD_AT, model, F_0);
     sf_answer fold;
-    if (sf_has_laws(model))
+    if (model->by_laws)
         return sf_law_F_A(model, at, w, sf_is_beyond(model, at->A)) > 0;
     if (sf_inertial(model))
         return sf_half_F_A(model, at, w) > 0;
@@ -247,8 +247,8 @@ static int sf_is_corner_close(const sf_model *model, double F_0, double J, const
             return 1;
     for (int i = 0; i < n && Omega[i] < HUGE_VAL; i++) {
         const double R = slow_flow_R(Omega[i], at->A, at->h), size = sf_size_at(at, sf_force(model, F_0, Omega[i]));
-        const double half_F_A = sf_has_laws(model) ? sf_law_F_A(model, at, Omega[i], sf_is_beyond(model, at->A)) / 2
-                                                   : sf_half_F_A(model, at, Omega[i]);
+        const double half_F_A = model->by_laws ? sf_law_F_A(model, at, Omega[i], sf_is_beyond(model, at->A)) / 2
+                                               : sf_half_F_A(model, at, Omega[i]);
         const double slope = at->A * fabs(half_F_A);
         if (fabs(R) <= SF_CLOSE * size || slope <= SF_CLOSE * size * size || fabs(R * J) * SF_STEEP <= slope)
             return 1;
@@ -294,7 +294,7 @@ static double sf_locus_level(const sf_model *model, const sf_sample *at, double 
     double m = model->m, zeta = model->zeta, slopes[3], level;
     if (sf_inertial(model) && at->A == 0)
         return 0;
-    if (sf_has_laws(model)) { /* these have the same I and I_A there */
+    if (model->by_laws) { /* these have the same I and I_A there */
         const sf_law_terms of = sf_law_terms_below(model, at->A);
         const double I_A = dissipation_I_A(w, at->A, of.rest[1], of.zeta[0], of.zeta[1], of.d, of.d_3);
         level = sf_law_level(model, at, w);
@@ -417,12 +417,12 @@ static sf_status sf_searched_folds(const sf_model *model, double F_0, sf_work *w
     const sf_law_points *found = &work->points.found;
     sf_stretches_up_to(model, work->A_max, &work->pieces);
     sf_search_pieces(model, SF_LAW_FOLDS, F_0, &work->pieces, &work->points);
-    if (!sf_has_laws(model) && (found->status != SF_OK || found->undecided > 0))
+    if (!model->by_laws && (found->status != SF_OK || found->undecided > 0))
         return sf_locus_folds(model, F_0, work, folds);
     folds->undecided = found->undecided > 0;
     for (int i = 0; i < found->n; i++) {
         const sf_sample at = sf_sample_at(model, found->at[i].A);
-        if (sf_has_laws(model))
+        if (model->by_laws)
             sf_add_fold(folds, found->at[i].Omega, at.A,
                         sf_law_F_AA(model, &at, found->at[i].Omega, sf_is_beyond(model, at.A)) < 0, 0);
         else
@@ -471,7 +471,7 @@ static sf_extremum sf_extremum_at(const sf_model *model, const sf_zero *zero) {
     out.A = zero->A;
     out.isola = zero->question == SF_ISOLA;
     out.few_digits = 0;
-    if (sf_has_laws(model)) {
+    if (model->by_laws) {
         out.F_0 = zero->level;
         out.minimum = sf_is_law_minimum(model, zero->question, &at, out.Omega, &out.saddle);
         return out;

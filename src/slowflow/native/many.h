@@ -36,7 +36,7 @@ static int sf_design_at(const sf_call *at, int jumps, sf_numbers *inputs, sf_mod
     return sf_take_design(at->mechanism, inputs->design, model->p) &&
            at->mechanism->damping_of(inputs->damping, model->damping) &&
            sf_prepare(at->mechanism, jumps ? inputs->design : NULL, model) &&
-           (!sf_has_laws(model) || sf_allows_laws(model));
+           (!model->by_laws || sf_allows_laws(model));
 }
 
 /* A design in pairs, NULL where there is no such form. */

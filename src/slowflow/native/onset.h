@@ -144,7 +144,7 @@ static sf_status sf_consider_piece(const sf_model *model, const sf_stretch *piec
     sf_cell cell;
     if (!sf_has_force(piece))
         return SF_OK;
-    if (sf_has_laws(model))
+    if (model->by_laws)
         return sf_consider_piece_by_laws(model, piece, work, best);
     sf_clear_zeros(zeros);
     sf_know(&piece->first, &first);
@@ -464,13 +464,13 @@ static void sf_end_pieces(const sf_model *model, sf_piece_ends *ends) {
 static void sf_begin_onset(const sf_model *model, const sf_piece_ends *ends, sf_onset *best) {
     best->F_SN = best->rest = HUGE_VAL;
     best->Omega = best->A = NAN, best->kind = SF_NO_KIND, best->undecided = 0;
-    if (model->zeta == 0 && !sf_has_laws(model))
+    if (model->zeta == 0 && !model->by_laws)
         return;
     if (ends->rest.h <
         0) /* R, -preload next to A = 0, vanishes at frequencies that tend to infinity there, and F_0 tends to m */
         best->rest = model->m;
     for (int k = 0; k < model->breaks; k++) {
-        if (sf_has_laws(model))
+        if (model->by_laws)
             sf_consider_corner_by_laws(model, k, &ends->on[k], best);
         else if (sf_inertial(model))
             sf_consider_inertial(model, &ends->on[k], model->jump[k], best);
@@ -543,7 +543,7 @@ static double sf_first_with_folds(const sf_model *model, const sf_sample *rest) 
 /* The lowest forcing at which folds are born, from there. pieces: how many of the first have been considered */
 static sf_status sf_end_onset(const sf_model *model, const sf_piece_ends *ends, int pieces, sf_work *work,
                               sf_onset *best) {
-    const int undamped = model->zeta == 0 && !sf_has_laws(model);
+    const int undamped = model->zeta == 0 && !model->by_laws;
     const double from = undamped ? 0 : sf_first_with_folds(model, &ends->rest);
     sf_sample rest = ends->rest;
     sf_stretch piece;
@@ -552,7 +552,7 @@ static sf_status sf_end_onset(const sf_model *model, const sf_piece_ends *ends, 
         status = sf_onset_undamped(model, work, best);
         return best->kind == SF_NO_KIND ? sf_without_onset(status, model->m, best) : status;
     }
-    if (!sf_has_laws(model) && sf_is_free(model))
+    if (!model->by_laws && sf_is_free(model))
         return sf_without_onset(SF_NONE, HUGE_VAL, best);
     if (from < 0 || sf_comes_down(model, ends))
         return sf_without_onset(SF_UNBOUNDED, model->m, best);
@@ -623,7 +623,7 @@ static int sf_goes_on_above_rest(const sf_model *model, double F_0, double A) {
 static sf_status sf_peak(const sf_model *model, double F_0, double most, sf_work *work, double *A, double *Omega) {
     sf_point found;
     *A = *Omega = NAN;
-    if (sf_has_laws(model))
+    if (model->by_laws)
         return sf_law_peak(model, F_0, most, work, A, Omega);
     if (sf_sticks(model, F_0))
         return SF_STICKS;

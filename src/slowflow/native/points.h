@@ -358,7 +358,7 @@ static int sf_is_in_doubt(const sf_law_points *found, double A) {
 /* All points of a system on a piece of the force from `first` to `last`. */
 static void sf_search_points(sf_law_search *search, const sf_sample *first, const sf_sample *last) {
     sf_law_points *found = &search->found;
-    const int most = sf_has_laws(search->model) ? SF_MOST_BOXES : SF_FEW_BOXES;
+    const int most = search->model->by_laws ? SF_MOST_BOXES : SF_FEW_BOXES;
     int top = 0;
     search->end = last->A;
     if ((search->system == SF_LAW_TURNS && isinf(first->h_A)) ||

@@ -434,7 +434,7 @@ static int sf_settle_onset(const sf_model *model, const sf_exactly *exactly, sf_
 
 static sf_status sf_settled_onset(const sf_model *model, const sf_exactly *exactly, sf_work *work, sf_onset *out) {
     const sf_status status = sf_find_onset(model, work, out);
-    if (status == SF_OK && !sf_has_laws(model))
+    if (status == SF_OK && !model->by_laws)
         sf_settle_onset(model, exactly, out);
     return status;
 }
@@ -442,7 +442,7 @@ static sf_status sf_settled_onset(const sf_model *model, const sf_exactly *exact
 static sf_status sf_settled_detachment(const sf_model *model, const sf_exactly *exactly, double *F_cr, double *Omega_cr,
                                        double *u_cr) {
     const sf_status status = sf_detachment(model, F_cr, Omega_cr, u_cr);
-    if (status == SF_OK && !sf_has_laws(model))
+    if (status == SF_OK && !model->by_laws)
         sf_settle_level_on(exactly, 0, *Omega_cr, F_cr);
     return status;
 }
@@ -452,7 +452,7 @@ static sf_extremum sf_settled_extremum(const sf_model *model, const sf_exactly *
     const int is_isola = zero->question == SF_ISOLA, count = is_isola ? 2 : 4;
     const sf_step step = is_isola ? slow_flow_pairs_isola_step : slow_flow_pairs_cusp_step;
     const sf_settling begin = {sfp_point(out.Omega), sfp_point(out.A), sfp_point(out.F_0)};
-    if (exactly == NULL || zero->question == SF_UNDAMPED || sf_has_laws(model))
+    if (exactly == NULL || zero->question == SF_UNDAMPED || model->by_laws)
         return out;
     if (!sf_settle_numbers(step, SF_VARY_ALL, count, exactly, model, &out.Omega, &out.A, &out.F_0))
         out.few_digits = sf_is_off_by(step, SF_VARY_ALL, count, exactly, model, &begin) > SF_FEW_ROUNDINGS;
@@ -462,7 +462,7 @@ static sf_extremum sf_settled_extremum(const sf_model *model, const sf_exactly *
 static sf_status sf_settled_peak(const sf_model *model, const sf_exactly *exactly, double F_0, double most,
                                  sf_work *work, double *A, double *Omega) {
     const sf_status status = sf_peak(model, F_0, most, work, A, Omega);
-    if (status != SF_OK || exactly == NULL || sf_has_laws(model))
+    if (status != SF_OK || exactly == NULL || model->by_laws)
         return status;
     if (!sf_settle_numbers(slow_flow_pairs_peak_step, SF_VARY_BOTH, 2, exactly, model, Omega, A, &F_0) && *A > 0 &&
         *Omega > 0 && model->breaks > 0)

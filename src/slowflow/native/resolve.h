@@ -78,7 +78,7 @@ static sf_status sf_decided_folds(const sf_model *model, const sf_inputs *inputs
     room->inconclusive = status != SF_OK || folds->undecided || folds->close || sf_nearly_sticks(model, F_0) ||
                          sf_are_corners_close(model, inputs, F_0, &room->work);
     if (room->inconclusive)
-        room->undecided = !sf_take_proved_folds(model, sf_has_laws(model) ? NULL : inputs, F_0, room, folds);
+        room->undecided = !sf_take_proved_folds(model, model->by_laws ? NULL : inputs, F_0, room, folds);
     folds->undecided = room->undecided;
     return folds->status;
 }
@@ -116,7 +116,7 @@ static double sf_settle_or_prove(const sf_model *model, const sf_inputs *inputs,
 /* The same to their last digit. */
 static sf_status sf_settled_folds(const sf_model *model, const sf_inputs *inputs, double F_0, sf_room *room,
                                   sf_folds *folds) {
-    const int laws = sf_has_laws(model);
+    const int laws = model->by_laws;
     if (!laws && sf_is_linear(model) && !sf_sticks(model, F_0)) {
         folds->n = folds->undecided = 0;
         return folds->status = SF_OK;

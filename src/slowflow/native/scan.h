@@ -59,7 +59,7 @@ static double sf_error_of_F(const sf_sample *at, double I, double F_0, double w)
 }
 
 static int sf_is_F_close(const sf_model *model, const sf_sample *at, double F_0, double w) {
-    const int laws = sf_has_laws(model);
+    const int laws = model->by_laws;
     const double m = laws ? sf_law_I(model, at->A, w) : model->m, zeta = laws ? 0 : model->zeta; /* the same I */
     const double force = sf_force(model, F_0, w), I = slow_flow_I(w, at->A, m, zeta);
     return fabs(slow_flow_F(w, at->A, force, m, zeta, at->h)) <= sf_error_of_F(at, I, force, w);

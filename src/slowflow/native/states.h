@@ -123,7 +123,7 @@ static int sf_take_proved_states(const sf_model *model, const sf_inputs *inputs,
  * resolve it */
 static int sf_states_on_curve(const sf_model *model, const sf_inputs *inputs, double F_0, sf_room *room, double Omega,
                               double *A, unsigned char *stable, int *undecided) {
-    if (sf_has_laws(model))
+    if (model->by_laws)
         inputs = NULL;
     int n = sf_states_of_segments(model, inputs == NULL ? NULL : &inputs->exactly, F_0, &room->work, Omega, A, stable);
     if (room->inconclusive || sf_is_at_fold(model, F_0, &room->work.folds, Omega))
@@ -173,7 +173,7 @@ static int sf_clear_states(const sf_model *model, const sf_exactly *exactly, dou
 static sf_status sf_states(const sf_model *model, const sf_inputs *inputs, double F_0, sf_room *room, double Omega,
                            int *n, double *A, unsigned char *stable, int *undecided) {
     *undecided = 0;
-    *n = inputs == NULL || sf_has_laws(model)
+    *n = inputs == NULL || model->by_laws
              ? -1
              : sf_clear_states(model, &inputs->exactly, F_0, Omega, &room->work, A, stable);
     if (*n >= 0)
