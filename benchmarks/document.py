@@ -136,8 +136,8 @@ SECTIONS = {
         "Other tools",
         """Table 1 with F_0 = 0.04: the averaged response from Omega = 0.3 to 2 and both folds. The
 tools were measured alternately in one run; a tool measured earlier is compared with slowflow as measured then. A fold
-counts as found if its error is below 1 %; the error shown is the larger one of the folds found. Each tool runs in an
-environment of its own; `benchmarks/peers/` has an adapter for each.""",
+counts as found if its error is below 1 %, other reported folds as *elsewhere*; the error shown is the larger one of the
+folds found. Each tool runs in an environment of its own; `benchmarks/peers/` has an adapter for each.""",
         {
             "tool": tool,
             "variant": lambda row: row.get("variant", ""),

@@ -295,7 +295,7 @@ def in_short(numbers: Numbers) -> list[str]:
         f"{number(max(value(w['error']) for w in of_roots))}; {wrong_roots} cases have a wrong number of roots.",
         f"- **Answers, target {answers.TARGET:g} u (1 + κ)**: {len(of_answers) - len(missed)} of {len(of_answers)} "
         f"kinds meet it{'; the others are marked below' if missed else ''}.",
-        f"- **Numbers of states and folds, target none wrong of 10^7**: of {cases:,} cases near forcings at which the "
+        f"- **Numbers of states and folds, target: none of 10^7 wrong**: of {cases:,} cases near forcings at which the "
         f"number changes, {wrong:,} are wrong without being marked; {marked:,} ({marked / cases:.1%}) are marked as "
         f"undecided in double precision. Ball arithmetic was tried on {balls:,} of these; {open_:,} stay undecided, "
         f"{wrong_balls:,} are wrong. Of {many:,} further cases, {differ:,} differ from the proved number without being "
@@ -341,8 +341,8 @@ def page(numbers: Numbers) -> str:
         "",
         "### At 1e±150 and subnormal numbers",
         "",
-        f"Some arguments are {', '.join(f'{x:.3g}' for x in domains.EXTREME)}. {kept} of {tried} kernels",
-        "of the general case keep their accuracy wherever the result is a normal double. In the others an intermediate",
+        f"Here some arguments are {', '.join(f'{x:.3g}' for x in domains.EXTREME)}. {kept} of the {tried}",
+        "kernels tried keep their accuracy wherever the result is a normal double. In the others an intermediate",
         "result overflows, or loses digits by underflow:",
         "",
         *table(("kernel", "points beyond the target", "error / u(1+κ)", "worst point"), extreme),

@@ -114,7 +114,7 @@ def fortran(paths: Iterable[Path]) -> str:
     -------
     str
         The module `slowflow_kernels`, Fortran 2008. Functions have their C names, followed by `_upper` where another
-        one differs in case only: `rod_spring_H_upper` beside `rod_spring_h`. `p` takes the mechanism's parameters,
+        one differs in case only: `rod_spring_H_upper` next to `rod_spring_h`. `p` takes the mechanism's parameters,
         `out` the outputs; it must have room for them.
 
     Examples
@@ -147,7 +147,7 @@ def julia(paths: Iterable[Path], library: str = "kernels.so") -> str:
     paths : iterable of path_like
         `headers()`, or headers that `slowflow derive` wrote.
     library : str
-        The library that was compiled from `exported.c`; it lies beside the module.
+        File name of the library compiled from `exported.c`, in the folder of the module.
 
     Returns
     -------

@@ -334,7 +334,7 @@ class Quantities(Answer):
         return np.asarray(found * scales.sizes["length"])
 
     def absolute_rms(self) -> Floats:
-        """Root mean square in m of the absolute displacement in random vibration of the base, (motions,)."""
+        """Root mean square in m of the absolute displacement in random vibration of the base, shape (motions,)."""
         answer, scales = self._random()
         if scales.excitation not in OF_A_BASE:
             raise Refused("the base stands still under a force: the absolute displacement is x_rms")

@@ -115,10 +115,10 @@ class Questions(Generic[States, Response, Folds]):
         Returns
         -------
         SaddleNodes
-            .Omega .A .kind .corner, shape (n,); under a load also the mean displacement .B, up to the amplitude
-            `A_max(F_0)` of `off_centre`. Where double precision is inconclusive, ball arithmetic resolves the number,
-            in hundredths of a second, with python-flint (`pip install 'slowflow[proofs]'`); `Remark.UNDECIDED` marks a
-            result for which it is inconclusive too.
+            .Omega .A .kind .corner, shape (n,). Under a load also the mean displacement .B, and every fold up to the
+            amplitude `A_max(F_0)` of `off_centre`. Where double precision is inconclusive, ball arithmetic resolves
+            the number, in hundredths of a second, with python-flint (`pip install 'slowflow[proofs]'`);
+            `Remark.UNDECIDED` marks a result for which it is inconclusive too.
 
         Raises
         ------

@@ -235,7 +235,7 @@ class Scene:
     queries    -- the questions with their arguments, in order
     warnings   -- implausible numbers
     requirements -- the requirements
-    given_forcings, cases -- forcings of [ask], and shocks and spectra, to which they apply
+    given_forcings, cases -- forcings of [ask], and shocks and spectra, to which the requirements apply
     free       -- parameters of the oscillator that may change to meet them, each with its range
     answers    -- answers computed so far, by question and arguments
     """

@@ -143,7 +143,7 @@ class Isolation(OfPoint, Single):
 
     Omega -- that frequency; 0 if every motion transmits less; None if there is no motion, or no such frequency
     A     -- the amplitude at Omega
-    at_fold -- whether the motions that transmit more end at Omega in a fold, still above the level
+    at_fold -- whether the motions that transmit more end at Omega in a fold, at which they exceed the level
     B, load -- under a load, the mean displacement at Omega, None if A is None, and the load over k_v L
     remarks -- flags of the response
     level_dB -- the transmissibility in decibels, not printed if 0

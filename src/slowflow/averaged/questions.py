@@ -234,7 +234,7 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
     def transmissibility_floor(self, F_0: float) -> float:
         """Compute the limit of the transmissibility as Omega tends to infinity: 4 mu/(pi F_0) under a force.
 
-        Under a constant force only friction and a preload are transmitted in this limit. Under base excitation and
+        Under a force only friction and a preload are transmitted in this limit. Under base excitation and
         unbalance the limit is 0, or 8 c_2 A^2/(3 pi F_0) with quadratic damping, which grows with Omega^2 like the
         force; A is the limit of the amplitude.
 

@@ -565,7 +565,8 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
             If both or neither of S_0 and psd are given; for eta > 0; if zeta and mu are 0, unless c_2 > 0 under white
             noise; under a psd also if zeta is 0 and contact="attached".
         ArithmeticError
-            Where there is no stationary motion; under a load also if the spring force does not exceed it far away.
+            Where there is no stationary motion; under a load also if the spring force does not exceed the load at
+            large displacements.
         """
         from slowflow.random_vibration.questions import random
 

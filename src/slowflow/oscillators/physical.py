@@ -154,7 +154,7 @@ class Physical(TakesAmplitude):
             .preset in m: compression of k_v that carries the mass at the centre, m g/k_v;
             .lightest, .heaviest in kg: masses with an equilibrium at -x_cr and x_cr if k_v is preloaded for m; no
                 lightest mass if the spring without any mass rests within the stroke;
-            .break_loose in N: constant force that friction holds, the static one if specified;
+            .break_loose in N: constant force that friction holds, static friction if specified;
             .rests_within in m: distance from the centre within which friction holds the mass, None if unlimited;
             .sticking in N: force amplitude up to which averaging predicts sticking, 4/pi times the friction (27).
 

@@ -84,8 +84,8 @@ class RandomResponse(Drawn, Table, entry="Stationary"):
     def absolute_rms(self) -> Floats:
         """Root mean square of the absolute displacement of the mass, if the base's acceleration is the excitation.
 
-        That of the linear oscillators, about the mean, shape (motions,); inf for white noise, in which the base itself
-        moves without bound.
+        It is that of the equivalent linear oscillators, about the mean, shape (motions,); inf for white noise, in which
+        the base itself moves without bound.
         """
         linear = zip(self.stiffness.tolist(), self.damping.tolist(), strict=True)
         return np.sqrt([self.excitation.absolute(k, c) for k, c in linear])

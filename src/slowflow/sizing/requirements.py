@@ -97,7 +97,7 @@ class Front(Table, entry="Compromise"):
     answers    -- their names
     units      -- their units, "" if dimensionless
     numbers    -- the free parameters of each design, by name, as on the data sheet
-    message    -- the requirement that cannot be met if there is no design; that there is no trade-off if there is one
+    message    -- if there is no design, the requirement that cannot be met; if there is one, that there is no trade-off
     """
 
     one: Floats
