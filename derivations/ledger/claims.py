@@ -294,7 +294,7 @@ def section_4_2(facts: Facts) -> Verdicts:
             "F_cr_of_delta_h": "On the peak R = −ζI/Ω, so dF_cr²/dδ_h = 2ζI(u_cr'(Ω² + κ) + u_crκ')/Ω, κ = "
             "−h(u_cr)/u_cr. For λr = 3 · 2.03 and wherever Ω_cr² ≥ κ/2 this is positive up to δ_h = 1/(λr): a "
             "polynomial without a root there (Sturm).",
-            "unbounded_resonance": "At ζ = 0 and F_0 > 4μ/π every amplitude has a frequency; see `friction_alone`.",
+            "unbounded_resonance": "At ζ = 0 and F_0 > 4μ/π every amplitude has a frequency: I does not grow with it.",
             "no_oscillation": "(23) needs F_0 ≥ 4μ/π + 2ζΩA: no fixed point with A > 0 for F_0 ≤ 4μ/π.",
             "viscous_bounded": "(27): A ≤ (F_0 − 4μ/π)/(2ζΩ) at every Ω > 0.",
             "zeta_eq_far": "At F_0 = 0.050 friction's part of (38) over ζ is "
@@ -347,8 +347,7 @@ def section_4_3(facts: Facts) -> Verdicts:
             "reached: no response beyond u_cr, not even an isolated one.",
             "above_F_cr": "For F_0 > F_cr, A = u_cr at two frequencies, and the response is beyond it between them.",
             "peak_shift": "Peaks at F_cr, 0.040, 0.050: Ω = " + ", ".join(rounded(x, 4) for x in peaks) + ".",
-            "F_SN_prevents": "F_SN is right; it belongs to the second root of (33), not to the least one (see "
-            "`minimum_root`).",
+            "F_SN_prevents": "F_SN is right; it belongs to the second root of (33), not to the least one.",
             "no_multistability": "No fold at or below F_SN in either regime: the response is single-valued.",
             "inflection_point": f"({significant(onset.Omega)}, {significant(onset.A)}).",
             "phase_dissipation": f"sin φ = −(2ζAΩ + 4μ/π)/F_0: its friction part alone is {ratio['F_SN']} at F_SN, "
@@ -379,9 +378,9 @@ def conclusions(facts: Facts) -> Verdicts:
             "conclusion_1_algebraic": "Algebraic in Ω always, in A while attached; beyond u_cr, H_2 contains ψ_0 = "
             "arccos(u_cr/A): transcendental in A.",
             "conclusion_2_zeta_eq": "(38) contains the amplitude of the response, not of the forcing; and near "
-            "resonance friction's effect is not small (see `zeta_eq_near_resonance`).",
+            "resonance friction's effect is not small (Section 4.2).",
             "conclusion_4_resultants": "Both resultants have roots that solve neither problem; the paper's rule for "
-            "(33) selects such a root (see `minimum_root`).",
+            "(33) selects such a root (Section 3.3).",
             "smoothed_equation": "(A1) smooths (3) with the untruncated force of (5), not the rescaled (8); and its "
             "spring force is printed as x where u is meant.",
             "transients": f"Viscous damping alone reduces a transient to {few(slowest)} of its size in 100 periods at "

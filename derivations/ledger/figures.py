@@ -38,10 +38,11 @@ def decided(numbers: dict[str, Any]) -> dict[str, tuple[str, str]]:
             "kbm_qualitative": _qualitative(numbers["figure_2a"]["rows"]),
             "kbm_low_friction": _low_friction(two_b),
             "agreement_acceptable": _acceptable(numbers["figure_7a"]),
-            "reliability": "`kbm_low_friction` holds; `agreement_acceptable` at resonance and, with little friction, "
-            "everywhere. The limitation is `kbm_threshold`; away from resonance it begins well below π/4.",
-            "conclusion_kbm": "`den_hartog_agreement`, `kbm_qualitative` and `kbm_low_friction` hold. But the sentence "
-            f"has no condition on friction, and beyond μ/F_0 = {measured.same_up_to(two_b):g} even the number of folds "
+            "reliability": "The sentence of Section 4.1 on low μ/F_0 holds; that of Section 4.3 on the agreement "
+            "holds at resonance and, with little friction, everywhere. The limitation is μ/F_0 close to π/4 "
+            "(Section 4.1); away from resonance it begins well below π/4.",
+            "conclusion_kbm": "What Section 4.1 states on Figs. 2a and 2b holds. But this sentence has no condition "
+            f"on friction, and beyond μ/F_0 = {measured.same_up_to(two_b):g} even the number of folds "
             f"may differ: {_first_apart(two_b)}.",
         }.items()
     }

@@ -122,7 +122,7 @@ def _findings(facts: Facts, evidence: dict[str, str]) -> list[Finding]:
         Finding(
             "(37): S is not close to 1 below Ω = 1/2",
             ("claim:S_below_half",),
-            evidence["claim:S_below_half"] + " (S = 1 for Ω > 1/2 is right, and proved: see `S_above_half`.)",
+            evidence["claim:S_below_half"] + " (S = 1 for Ω > 1/2 is right; the proof is under Section 4.1.)",
         ),
         judged("Section 4.2: λ changes the stiffness at fixed u_cr as r does", "claim:r_only_method"),
         judged(
