@@ -13,7 +13,7 @@
 #                 docs/validity.md, some twenty minutes
 # make stress     numerical stability: worst errors searched for, counts proved; docs/stability.md and its baseline, less
 #                 than twenty minutes; then make derive, as headers say the worst errors that were found
-# make explorer   docs/explorer.html, the compiled solvers in a browser; same bytes whenever it is made
+# make explorer   docs/explorer.html, the compiled solvers in a browser; the same page whenever it is made
 # make dist       sdist and wheel, output/dist; the wheel twice, which has to be the same bytes
 # make docs       the site, output/docs: warnings are errors
 # make links      whether somebody answers at every address that the site names; needs a network

@@ -227,6 +227,7 @@ def test_other_scenes_have_a_report_too(name, tmp_path, capsys):
     out = tmp_path / "page.html"
     assert cli.main(["report", str(ROOT / "scenes" / f"{name}.toml"), "-o", str(out)]) == 0
     assert capsys.readouterr().err.endswith(f"{out} is written\n") and not Page(out.read_text()).open
+    assert ("Displacements are relative to the base" in out.read_text()) == (name == "shaking_floor")
 
 
 def lines_of(path):

@@ -233,6 +233,17 @@ def test_columns_of_a_scene_are_those_of_a_file(scene, tmp_path):
         scenes.read(scene(head + "[psd]\nfile = 3\n"))
 
 
+def test_a_measured_loop_is_refused_where_it_is_read(scene):
+    for rows, message in (
+        ("x = [0.0, 1.0]", "F is missing"),
+        ("x = [0.0, 1.0]\nF = [2.0]", "x, F must be rows of one length"),
+    ):
+        with pytest.raises(scenes.SceneError, match=rf"scene.toml:\d+: .*{message}"):
+            scenes.read(scene(f"{MOUNT}\n[loop]\n{rows}\n"))
+    with pytest.raises(scenes.SceneError, match=r"\[loop\] is of a \[mount\] or a \[spring\], in SI units"):
+        scenes.read(scene((ROOT / "scenes" / "table_1.toml").read_text() + "\n[loop]\nx = [0.0]\nF = [0.0]\n"))
+
+
 def test_tables_say_what_motions_are_relative_to(capsys):
     for name, stated in (("shaking_floor", True), ("specification", True), ("mount", False), ("machine", False)):
         _, out, _ = run("run", ROOT / "scenes" / f"{name}.toml", capsys=capsys)

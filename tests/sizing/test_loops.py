@@ -64,6 +64,8 @@ def test_what_a_cubic_spring_leaves_is_told_and_drawn():
         (lambda t, x, F: from_loop(-x, F), "the wrong direction"),
         (lambda t, x, F: from_loop(x[:40], F[:40]), "at least 50 samples"),
         (lambda t, x, F: from_loop(x, F[1:]), "rows of one length"),
+        (lambda t, x, F: from_loop(x, F, t=1.0), "rows of one length"),
+        (lambda t, x, F: from_loop(x, None, t=t), "F = None is not allowed"),
         (lambda t, x, F: from_loop(x, F, t=t[::-1]), "the times must be ascending"),
         (lambda t, x, F: from_loop(np.zeros_like(x), F), "x does not change"),
         (lambda t, x, F: from_loop(np.full_like(x, np.nan), F), "x = nan is not allowed"),

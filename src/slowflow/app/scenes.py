@@ -425,12 +425,17 @@ class _Reader:
 
     def _loop(self, kind: Kind) -> dict[str, list[float]]:
         """A measured force-displacement loop, in SI units."""
+        # here, not above: it imports SciPy
+        from slowflow.sizing.fitting import LEAST_SAMPLES, _samples
+
         table = self._table("loop")
         if not kind.in_si:
             raise self._error("loop", "", "is of a [mount] or a [spring], in SI units")
         self._known("loop", table, OF_A_LOOP)
         self._complete("loop", table, OF_A_LOOP[:2])
-        return {key: self._numbers(key, "loop") for key in table}
+        rows = {key: self._numbers(key, "loop") for key in table}
+        self._tried("loop", table, lambda: _samples(rows, LEAST_SAMPLES))
+        return rows
 
     def _free(self, oscillator: Any, kind: Kind) -> dict[str, tuple[float, float]]:
         """The numbers that may change to meet what is required, each with its ends."""

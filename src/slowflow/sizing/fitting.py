@@ -534,23 +534,23 @@ def _backbone(subject: Subject, amplitudes: Any, frequencies: Any) -> _Measured:
 
 
 def _samples(rows: Mapping[str, Any], least: int, *, in_si: bool = True) -> dict[str, Floats]:
-    """Those of x, F and t that are given, rows of one length, of at least so many samples."""
+    """Rows of x, F and t of one length, of at least so many samples."""
+    units = {"x": "m", "F": "N", "t": "s"}
     known = {
-        name: validate.finite_array(name, si(name, rows[name], unit) if in_si else rows[name])
-        for name, unit in (("x", "m"), ("F", "N"), ("t", "s"))
-        if rows[name] is not None
+        name: validate.finite_array(name, si(name, row, units[name]) if in_si else row) for name, row in rows.items()
     }
-    if len(known) < 2:
-        raise Refused("x needs t, the times of a free decay, or F, the forces of a loop")
-    if "t" in known and (np.diff(known["t"]) <= 0).any():
-        raise Refused("t is not allowed: the times must be ascending")
     if any(row.shape != (known["x"].size,) for row in known.values()) or known["x"].size < least:
         raise Refused(f"{', '.join(known)} must be rows of one length, of at least {least} samples")
+    if "t" in known and (np.diff(known["t"]) <= 0).any():
+        raise Refused("t is not allowed: the times must be ascending")
     return known
 
 
 def _in_time(subject: Subject, rows: Mapping[str, Any]) -> _Measured:
     """Displacements of a free decay at times, or forces of a loop at displacements."""
+    rows = {name: row for name, row in rows.items() if row is not None}
+    if len(rows) < 2:
+        raise Refused("x needs t, the times of a free decay, or F, the forces of a loop")
     known = _samples(rows, LEAST_SAMPLES, in_si=subject.mount is not None)
     validate.is_in_time("a fit to motions in time", subject.laws)
     return _loop(subject, **known) if "F" in known else _decay(subject, **known)

@@ -115,7 +115,7 @@ def from_loop(x: Any, F: Any, *, t: Any = None) -> Loop:
     ValueError, ArithmeticError
         For invalid arguments, and for a loop with the wrong direction; if it does not determine the parameters.
     """
-    rows = _samples({"x": x, "F": F, "t": t}, LEAST_SAMPLES)
+    rows = _samples({"x": x, "F": F} | ({} if t is None else {"t": t}), LEAST_SAMPLES)
     x, F = rows["x"], rows["F"]
     v = _velocity(x) / (1.0 if t is None else _velocity(rows["t"]))
     goes = np.abs(v) > TURNS * np.abs(v).max()
