@@ -302,7 +302,7 @@ def test_explain_refuses_nothing_that_run_answers(more, scene, capsys):
     assert code == 0 and "refused" not in out
 
 
-def test_explain_says_what_run_refuses_and_goes_on(scene, capsys):
+def test_explain_and_check_say_what_run_refuses(scene, capsys):
     text = (
         MOUNT.partition("[ask]")[0]
         + 'eta = 0.02\n[ask]\nF = [3.0]\nquestions = ["transient", "random", "detachment"]\n'
@@ -312,8 +312,15 @@ def test_explain_says_what_run_refuses_and_goes_on(scene, capsys):
     assert code == 1 and "structural damping is defined at one frequency" in err
     code, out, _ = run("explain", path, capsys=capsys)
     assert code == 0 and "detachment\n" in out
+    code, _, checked = run("check", path, capsys=capsys)
+    assert code == 2 and len(checked.splitlines()) == 2
     for question in ("transient", "random"):
         assert f"  refused       {question} is not available with eta: structural damping" in out
+        assert f": {question} is not available with eta: structural damping" in checked
+    required = '[require]\nabsolute_acceleration = { below = "1 g", rms = true, under = "random" }\n'
+    path.write_text(path.read_text().replace('"transient", "random", ', "") + required)
+    code, _, checked = run("check", path, capsys=capsys)
+    assert code == 2 and ": random is not available with eta" in checked
 
 
 def test_a_report_that_cannot_be_made_says_why(scene, capsys):

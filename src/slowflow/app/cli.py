@@ -165,7 +165,7 @@ def provenance(scene: Scene) -> dict[str, Any]:
 
 
 def check_scenes(args: argparse.Namespace) -> int:
-    """Say what scenes ask for, or what is wrong in them; 2 where something is."""
+    """Say what scenes ask for, what is wrong in them and what is refused; 2 where something is."""
     wrong = False
     for path in args.scene:
         try:
@@ -178,6 +178,12 @@ def check_scenes(args: argparse.Namespace) -> int:
             more = f"; to meet: {', '.join(required)}" if required else ""
             more += f"; free: {', '.join(scene.free)}" if scene.free else ""
             print(f"{path}: {scene.oscillator}; to answer: {', '.join(map(str, scene.queries))}{more}")
+            for query in (*scene.queries, *(one for one in scene.cases if one not in scene.queries)):
+                try:
+                    scene.explain(query)
+                except SlowflowError as error:
+                    print(f"{path}: {query}: {error}", file=sys.stderr)
+                    wrong = True
     return 2 if wrong else 0
 
 
