@@ -21,7 +21,7 @@ from slowflow.answers.quantities import DRAWN, SI, UNITS, Quantities, Scales, g,
 from slowflow.core import validate
 from slowflow.core.mechanism import Floats
 from slowflow.oscillators import range_checks
-from slowflow.oscillators.arguments import PLAIN, REMARKS, TakesAmplitude, density, window
+from slowflow.oscillators.arguments import PLAIN, REMARKS, TakesAmplitude, checks_names, density, window
 from slowflow.oscillators.measurements import Columns
 from slowflow.support.errors import OutOfRange, Refused
 from slowflow.support.text import in_units
@@ -479,6 +479,7 @@ class Physical(TakesAmplitude):
         """
         return self._answer("shock_spectrum", acceleration=acceleration, duration=duration)
 
+    @checks_names
     def random(self, *, psd: tuple[Numbers, Numbers] | Columns, unit: str = "g^2/Hz") -> answers.Random[RandomResponse]:
         """Find the stationary motions under random vibration by statistical linearization.
 

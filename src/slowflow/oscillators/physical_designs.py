@@ -25,7 +25,7 @@ from slowflow.averaged.batches import Batch, in_dataset, in_rows, spanned
 from slowflow.core import validate
 from slowflow.core.mechanism import Floats
 from slowflow.oscillators import range_checks
-from slowflow.oscillators.arguments import PLAIN, REMARKS, TakesAmplitude, density, window
+from slowflow.oscillators.arguments import PLAIN, REMARKS, TakesAmplitude, bound, density, window
 from slowflow.support.immutable import Unchanging
 
 if TYPE_CHECKING:
@@ -257,8 +257,8 @@ class PhysicalQuestions(TakesAmplitude, Generic[Found]):
 
     def _bound(self, question: str, /, *arguments: Any, **named: Any) -> tuple[Self, dict[str, Any]]:
         """The mounts with this excitation, and the arguments of a question, named as in the table."""
-        (bound := _signature(question).bind(self, *arguments, **named)).apply_defaults()
-        known = {PLAIN.get(name, name): value for name, value in bound.arguments.items() if value is not None}
+        (own := bound(question, _signature(question), self, *arguments, **named)).apply_defaults()
+        known = {PLAIN.get(name, name): value for name, value in own.arguments.items() if value is not None}
         mounts, amplitude, at = known.pop("self"), known.pop("amplitude", None), known.pop("at", None)
         if at is not None:
             mounts, known["F_0"] = mounts._excited(amplitude, at)
