@@ -161,7 +161,7 @@ def of_states(model: Model, Omega: Floats, A: Floats, *, corner: bool = False) -
     F_0 = model.flow.level(Omega, A, *model.equivalent_damping(Omega, A), h)
     with np.errstate(divide="ignore", invalid="ignore"):  # at Omega = 0
         ratio, rest = model.mu / F_0, np.where(model.mu > 0, motion.stopping(Omega, A, model.mu), 0.0)
-    if not _is_measured(model) or model.inertial:
+    if not is_measured(model):
         unknown = np.full(np.shape(A), np.nan)
         truncation = unknown if model.mechanism.truncated else np.zeros_like(unknown)
         return Validity(
@@ -209,7 +209,7 @@ def near_sticking(model: Model, F_0: float) -> str:
     off = OFF_BY.format(measured.BY_RATIO[int(_bin(measured.RATIOS, np.array(ratio)))])
     if model.laws.contact != THROUGHOUT:
         return NEAR_STICKING_ATTACHED.format(ratio, "near" if ratio <= math.pi / 4 else "above") + OFF_UNKNOWN
-    return NEAR_STICKING.format(ratio) + (off if _is_measured(model) else OFF_UNKNOWN)
+    return NEAR_STICKING.format(ratio) + (off if is_measured(model) else OFF_UNKNOWN)
 
 
 def of_second(model: Model, Omega: Floats, A: Floats) -> str:
@@ -223,8 +223,7 @@ def of_second(model: Model, Omega: Floats, A: Floats) -> str:
     stopping = off >= WORTH
     if not stopping.any():
         return ""
-    known = _is_measured(model) and not model.inertial
-    size = OFF_SECOND.format(off.max()) if known else OFF_UNKNOWN
+    size = OFF_SECOND.format(off.max()) if is_measured(model) else OFF_UNKNOWN
     return STOPS_SECOND.format(np.count_nonzero(stopping), A.size, _SECOND_FROM) + size
 
 
@@ -233,8 +232,10 @@ def _bin(edges: tuple[float, ...], values: Floats) -> np.ndarray:
     return np.clip(np.searchsorted(edges, values, side="right") - 1, 0, len(edges) - 1)
 
 
-def _is_measured(model: Model) -> bool:
-    return not model.laws.any and model.mechanism.is_generated and model.mechanism.name in measured.MECHANISMS
+def is_measured(model: Model) -> bool:
+    """Whether errors of averaging were measured for such oscillators, when their motions are about the centre."""
+    mechanism = model.mechanism
+    return not (model.laws.any or model.inertial) and mechanism.is_generated and mechanism.name in measured.MECHANISMS
 
 
 def _truncation(model: Model, A: Floats) -> Floats:

@@ -22,7 +22,7 @@ from slowflow.answers.answer import Answer, shown
 from slowflow.answers.quantities import DATA_SHEET, SHEET, SHOWN, UNITS, in_shown
 from slowflow.answers.results import Remark
 from slowflow.answers.table import COLUMNS, IN_TIME
-from slowflow.answers.validity import IN_PYTHON
+from slowflow.answers.validity import IN_PYTHON, is_measured
 from slowflow.app.scenes import FORCINGS, Query, Scene
 from slowflow.app.verdict import in_words, verdict
 from slowflow.core.validate import NotAvailable
@@ -70,11 +70,6 @@ ALSO = {
 }
 #: heads of the columns that compare with the equation of motion
 BY_MOTION = ("equation of motion", "error of averaging")
-#: numbers of the map, of a mount and of an isolator without dimensions
-OF_MOUNT, OF_ISOLATOR = ("k_h", "preload"), ("r", "delta_h")
-NUMBERS = {"k_h": "the stiffness of the springs", "preload": "their preload", "r": "the stiffness ratio"}
-NUMBERS |= {"delta_h": "the preload"}
-
 #: what the numbers of a mount at rest are
 MEANING = {one.si or one.name: one.text for one in COLUMNS.values()} | {
     "f_n": "natural frequency of the mass on the vertical spring alone",
@@ -92,12 +87,10 @@ AROUND = (0.8, 1.2)
 
 
 def html(scene: Scene) -> str:
-    """The page. Raises ValueError where the scene has no forcing and no shock, or its oscillator is no isolator."""
+    """The page. Raises ValueError where the scene has no forcing and no shock."""
     if not scene.forcings() and not scene.requirements and not any(one.question in IN_TIME for one in scene.queries):
         raise Refused(f"{scene.path}: a report needs forcings in [ask], a shock, or a spectral density")
     report = Report(scene)
-    if not isinstance(report.plain, Isolator):
-        raise Refused(f"{scene.path}: a report is of an isolator: the scene must hold [mount] or [isolator]")
     sections = {
         "Verdict": report.verdict(),
         "Summary": report.summary(),
@@ -245,7 +238,7 @@ class Report:
     def in_short(self, F: float) -> Iterator[str]:
         """Of a force: jumps, detachment, the highest motion, isolation."""
         folds = self._shown("saddle_nodes", F)
-        onset, leaving = self._shown("saddle_node_onset"), self._shown("detachment")
+        onset = self._shown("saddle_node_onset")
         # without these the sentence is shorter; what is left out is said further down
         margins, peak, isolation = (self._at_each(one, [F], []) for one in ("margins", "peak", "isolation"))
         yield f"At {_one(folds, self.letter)}"
@@ -255,21 +248,14 @@ class Report:
         if len(folds):
             jumps = zip(folds.kind.tolist(), getattr(folds, self.f).tolist(), strict=True)
             at = ", ".join(f"{kind.replace('-', 's ')} at {_number(folds, x, self.f)}" for kind, x in jumps)
-            yield f"it {at};"
+            jumps_at = f"it {at}"
         elif (lowest := _one(onset, f"{self.letter[0]}_SN")) is None:
-            yield "it does not jump, nor does it at any other amplitude of the excitation;"
+            jumps_at = "it does not jump, nor does it at any other amplitude of the excitation"
         else:
-            yield f"it does not jump: jumps occur only above {lowest};"
-        least = f"{self.letter[0]}_cr"
-        most = _one((margins or [leaving])[0], least)
-        if margins:
-            stay = f"stay attached up to {most}" if most else "stay attached"
-            yield f"its springs {'detach' if margins[0].detaches else stay}."
-        elif most is None:
-            yield f"{leaving.message}."
-        else:
-            attached = F < getattr(leaving, least)
-            yield f"its springs {f'stay attached up to {most}' if attached else f'detach above {most}'}."
+            jumps_at = f"it does not jump: jumps occur only above {lowest}"
+        yield f"{jumps_at}{';' if self.plain.breakpoints else '.'}"
+        if self.plain.breakpoints:
+            yield self._detaching(F, margins)
         if peak and peak[0].A is not None:
             yield f"Its peak amplitude is {_one(peak[0], 'A')}, at {_one(peak[0], self.f)}."
         if isolation and (begin := _one(isolation[0], self.f)) is not None:
@@ -279,6 +265,18 @@ class Report:
             level = one.arguments.get("level_dB", 0.0) if one.forcing == F else 0.0
             if level and (begin := _one(self.scene.answer(one), self.f)) is not None:
                 yield f"Above {begin} its transmissibility is below {level:g} dB."
+
+    def _detaching(self, F: float, margins: Sequence[Any]) -> str:
+        """Whether springs detach at a force, from its margins if these are available."""
+        leaving, least = self._shown("detachment"), f"{self.letter[0]}_cr"
+        most = _one((margins or [leaving])[0], least)
+        if margins:
+            stay = f"stay attached up to {most}" if most else "stay attached"
+            return f"its springs {'detach' if margins[0].detaches else stay}."
+        if most is None:
+            return f"{leaving.message}."
+        attached = F < getattr(leaving, least)
+        return f"its springs {f'stay attached up to {most}' if attached else f'detach above {most}'}."
 
     def design(self) -> Iterator[str]:
         """The numbers that were given, and what they mean at rest."""
@@ -311,7 +309,8 @@ class Report:
         if self.scene.frame:
             yield f"<p>{page.inline(self.scene.frame.capitalize())}.</p>"
         yield _table(f"Lowest {what} with jumps", self._shown("saddle_node_onset"))
-        yield _table(f"Lowest {what} that detaches the springs", self._shown("detachment"))
+        if self.plain.breakpoints:
+            yield _table(f"Lowest {what} that detaches the springs", self._shown("detachment"))
         for question, caption in AT_EACH.items():
             if found := self._at_each(question, self.forcings, left_out):
                 # a force moves the mass at all frequencies, or at none, which `sticks` says
@@ -428,8 +427,8 @@ class Report:
         subject = Subject(self.of)
         if subject.loaded:
             raise NotAvailable("a map of designs under a load, as each of its points takes tenths of a second")
-        x, y = OF_MOUNT if subject.mount else OF_ISOLATOR
-        if not subject.nominal[y]:
+        *_, x, y = map(subject.name, subject.mechanism.design_names)
+        if not (subject.nominal[x] and subject.nominal[y]):
             return
         factors = np.linspace(1 - REACH, 1 + REACH, MAPPED)
         columns, rows = subject.nominal[x] * factors, subject.nominal[y] * factors
@@ -443,7 +442,7 @@ class Report:
         found = (name, np.where(np.isfinite(values), values / of_onset, np.nan))
         ax = pictures.design_map(page.axes(), (name_x, columns / of_x), (name_y, rows / of_y), found)
         ax.plot(subject.nominal[x] / of_x, subject.nominal[y] / of_y, "o", color="white", markeredgecolor="black")
-        what, over = EXCITATION[self.excitation], f"{NUMBERS[x]} and {NUMBERS[y]}"
+        what, over = EXCITATION[self.excitation], f"{x} and {y}"
         yield page.figure(ax, f"Lowest {what} with jumps, over {over}; the circle marks this design.")
 
     def trust(self) -> Iterator[str]:
@@ -452,10 +451,8 @@ class Report:
             return
         left_out: list[str] = []
         yield from _available(self._jumps_by_depths(left_out))
-        # measurements are of isolators under a force, about the centre, with viscous damping and dry friction
-        plain = self.plain
-        is_measured = plain.excitation == "force" and plain.load == 0 and not plain.model.laws.description()
-        yield from self._expected() if is_measured else self._checked()
+        measured = self.plain.load == 0 and is_measured(self.plain.model)
+        yield from self._expected() if measured else self._checked()
         yield from self._depths(max(self.forcings), left_out)
         yield _left_out(left_out)
 
@@ -558,7 +555,9 @@ class Report:
         yield from missing
 
     def equations(self) -> Iterator[str]:
-        """Those of the paper that the derivation proves."""
+        """Those of the paper, of an isolator, that the derivation proves."""
+        if not isinstance(self.plain, Isolator):
+            return
         ledger = read_ledger()
         rows = [
             (row["where"], page.prose(row["quantity"]), page.formula(row["mathml"], row["published"]))
