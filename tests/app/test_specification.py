@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 
 from slowflow.app import report, scenes, verdict
+from slowflow.exact import measure
 from slowflow.sizing.fitting import _loop_of_design
 from tests.files import ROOT
 
@@ -78,9 +79,9 @@ def verdict_of_scene(scene):
 @pytest.fixture(scope="module")
 def rows(verdict_of_scene):
     """Limit and value of each requirement in each load case, in the order of the scene."""
-    found = verdict_of_scene
-    assert found.all_met
-    return dict(zip(zip(found.requirement, (case.split()[0] for case in found.case), strict=True), found, strict=True))
+    assert verdict_of_scene.all_met
+    load_cases = (case.split()[0] for case in verdict_of_scene.case)
+    return dict(zip(zip(verdict_of_scene.requirement, load_cases, strict=True), verdict_of_scene, strict=True))
 
 
 @pytest.mark.slow
@@ -101,6 +102,13 @@ def test_the_peak_of_its_motion_isolates_later(verdict_of_scene):
     motion = integrate(lambda half: FLOOR * np.cos(np.pi * half / 400), 0.0, 0.0, 400 * 150, step)
     last = [(force(x) + dampers(v)) / M for n, (x, v) in enumerate(motion) if n > 400 * 149]
     assert 20 * np.log10(np.abs(last).max() / FLOOR) == pytest.approx(-20, abs=0.1)
+
+
+def test_a_peak_that_is_not_found_is_named(scene, monkeypatch):
+    monkeypatch.setattr(measure, "RISING", (0.01,))
+    first, peak = verdict._of_motion(scene)
+    assert first.endswith(" Hz on by its first harmonic")
+    assert "by the equation of motion, peak: no frequency above which" in peak
 
 
 @pytest.mark.slow

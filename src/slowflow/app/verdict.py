@@ -152,16 +152,18 @@ def _of_motion(scene: Any) -> Iterator[str]:
     for one in scene.requirements:
         for case, at in _forcings(scene) if one.name == TRANSMISSIBILITY else ():
             where = f"{one.name}, {case}: by the equation of motion"
-            unit = " Hz" if mount else ""
             try:
                 isolation = scene.ask("isolation", **at, level_dB=one.below)
-                first, peak = (_column(isolation.measure(of=by), "Omega", mount) for by in ("first", "peak"))
+                waves = (("first", "first harmonic"), ("peak", "peak")) if isolation.A else ()
+                found = {wave: isolation.measure(of=of) for of, wave in waves}
             except SlowflowError as error:
                 yield f"{where}: {error}"
                 continue
-            if None not in (first, peak):
-                by_harmonic = f"from {first:.4g}{unit} on by its first harmonic"
-                yield f"{where} below {one.below:g} dB {by_harmonic}, from {peak:.4g}{unit} on by its peak"
+            Omega = {wave: _column(point, "Omega", mount) for wave, point in found.items() if not point.message}
+            if Omega:
+                begins = (f"from {f:.4g}{' Hz' * mount} on by its {wave}" for wave, f in Omega.items())
+                yield f"{where} below {one.below:g} dB {', '.join(begins)}"
+            yield from (f"{where}, {wave}: {point.message}" for wave, point in found.items() if point.message)
 
 
 def _column(found: Any, name: str, mount: bool) -> Any:
