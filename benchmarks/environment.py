@@ -23,7 +23,7 @@ def processor() -> str:
 def describe() -> dict[str, str | int]:
     """Topics and their values."""
     versions = {name: importlib.metadata.version(name) for name in ("numpy", "scipy", "sympy")}
-    build = {"compiler": backend.KERNELS.BUILD["compiler"], "kernels run": backend.KERNELS.BUILD["chosen"]}
+    build = {"compiler": backend.KERNELS.BUILD["compiler"], "instruction set": backend.KERNELS.BUILD["chosen"]}
     return {
         "slowflow": __version__,
         "python": platform.python_version(),

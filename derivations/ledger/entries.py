@@ -124,9 +124,9 @@ def _explained(facts: Facts, label: str, kind: str, quantity: str, printed: str,
     mesh = facts.mesh_point(label, kind)
     if quantity == "A" and rounded(mesh.A, digits) == printed:
         return (
-            f"It is {mesh.k}/{MESH}: of the response read off at A = k/{MESH} (1000 points on [0, 1]), the point with "
-            f"the extremal Ω, {significant(mesh.Omega)}. Near a fold Ω depends on A by its square only, so the printed "
-            "Ω is right and the printed A is off by up to half a step of the mesh."
+            f"It is {mesh.k}/{MESH}, the point with the extremal Ω, {significant(mesh.Omega)}, among those of the "
+            f"response at A = k/{MESH} (1000 points on [0, 1]). Near a fold Ω depends on A by its square only, so the "
+            "printed Ω is right and the printed A is off by up to half a step of the mesh."
         )
     if _truncated(value, digits) == printed:
         return (

@@ -44,7 +44,7 @@ CRITERIA: dict[str, tuple[str, str]] = {
         "the points of the curve only at some of the forcings",
     ),
     "reliability": (
-        "`agreement_acceptable` and `kbm_low_friction` are true; the limitation at high friction is `kbm_threshold`",
+        "`agreement_acceptable` and `kbm_low_friction` are true; the limitation is μ/F_0 close to π/4 (Section 4.1)",
         "neither of them is false",
     ),
     "conclusion_kbm": (

@@ -177,8 +177,8 @@ def matlab(module: ModuleType) -> str:
     str
         The content of a file named after the module, as `rod_spring.m`, for MATLAB and GNU Octave. Functions take
         numbers or arrays that expand to one size: `[h, h_A] = rod_spring.averaged(A, alpha, beta, gamma, u_cr)`. Those
-        that are composed with the slow flow call the class of that module, `slow_flow.m`. Kernels on intervals, by
-        quadrature and in C alone are left out; the file lists them.
+        that combine a force with the slow flow call the class in `slow_flow.m`. Kernels on intervals, kernels by
+        quadrature and kernels that exist in C alone are left out; the file lists them.
     """
     tree = ast.parse(inspect.getsource(module))
     kernels = [one for one in tree.body if isinstance(one, ast.FunctionDef)]

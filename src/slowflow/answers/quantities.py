@@ -303,9 +303,9 @@ class Quantities(Answer):
 
         The derivatives are exact and in SI units, whatever units this answer is in. `.of` has the names of the numbers,
         such as "Y_SN" or "A", `.by` those of the parameters: "k_h", "preload", "friction", "zeta" or "c", "m", "k_v",
-        "L", "n" as a real number, and F (Y, U) and f if the question took them; of random vibration the factors psd_G
-        and psd_f of all densities and all frequencies. Raises ValueError for answers that are not averaged, and for a
-        mount without preload, whose springs never touch the push-rod.
+        "L", "n" as a real number, and F (Y, U) and f if the question took them; for random vibration psd_G, a common
+        factor of all densities, and psd_f, one of all frequencies. Raises ValueError for answers that are not averaged,
+        and for a mount without preload, whose springs never touch the push-rod.
         """
         if self.scales is None or not hasattr(self.answer, "gradient"):
             raise Refused("only averaged answers have gradients: this answer is not averaged")

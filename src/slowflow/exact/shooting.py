@@ -271,9 +271,9 @@ def steady_state(
                   released at u_0 with velocity v_0, where the forcing is largest, and followed until it settles, which
                   finds stable motions only
     half_turns -- 1: half-wave symmetric motions u(tau + pi/Omega) = -u(tau); 2: any motion with the period of the
-                  forcing;
-                  n: motions whose state after n pi/Omega is (-1)^n times the initial one. By default all of up to 16
-                  periods of the forcing, the shortest first; under a load none that are their own mirror images.
+                  forcing; n: motions whose state after n pi/Omega is (-1)^n times the initial one. By default motions
+                  of up to 16 periods of the forcing are tried, the shortest first; under a load, motions that are
+                  their own mirror images are left out.
 
     A guess leads to a motion near it, stable or not; if Newton's iteration does not converge, the motion is followed
     from the guess until it settles. The returned motion is verified through all its switches. Raises ValueError for
