@@ -273,7 +273,7 @@ def _sampled(
     if inputs.flag("compile", compile):
         raise Refused("compile = True is not allowed: a Python function cannot be compiled, a SymPy expression can")
     if not inputs.flag("odd", odd):
-        raise Refused("odd = False is not allowed: the pieces of a force that is not odd must be polynomials in SymPy")
+        raise Refused("odd = False is not allowed: the pieces of an asymmetric force must be SymPy expressions")
     if reach is None:
         raise Refused("reach = None is not allowed: a Python function is sampled up to its reach")
     design = runtime.designed(inputs.parameters(parameters))

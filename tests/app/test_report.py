@@ -184,10 +184,10 @@ def test_jumps_of_three_depths_share_a_unit_and_show_the_error(text):
 def test_the_page_says_in_short_what_happens_at_each_force(text):
     items = re.findall(r"<li>(At .*?)</li>", text.replace("\xa0", " "))
     assert items == [
-        "At 3 N it jumps up at 2.12 Hz, jumps down at 2.128 Hz; its springs stay attached up to 4.078 N. "
+        "At 3 N the isolator jumps up at 2.12 Hz, jumps down at 2.128 Hz; its springs stay attached up to 4.078 N. "
         "Its peak amplitude is 26.97 mm, at 2.121 Hz. Above 2.852 Hz its transmissibility is below 0 dB. "
         "At 5 Hz its transmissibility is -11.37 dB.",
-        "At 5 N it jumps up at 2.182 Hz, jumps down at 2.275 Hz; its springs detach. "
+        "At 5 N the isolator jumps up at 2.182 Hz, jumps down at 2.275 Hz; its springs detach. "
         "Its peak amplitude is 45.53 mm, at 2.265 Hz. Above 2.853 Hz its transmissibility is below 0 dB. "
         "At 5 Hz its transmissibility is -12.8 dB.",
     ]
@@ -264,7 +264,7 @@ def test_report_of_a_spring_is_without_rods(design, F, tmp_path):
     folds = scene.oscillator.saddle_nodes(F)
     up, down = (f"{one.f:.4g}\xa0Hz" if F > 1 else f"Omega = {one.Omega:.4g}" for one in folds)
     summary = " ".join(report.Report(scene).in_short(F))
-    assert f"it jumps up at {up}, jumps down at {down}. Its peak amplitude is" in summary
+    assert f"the isolator jumps up at {up}, jumps down at {down}. Its peak amplitude is" in summary
     assert any(line.startswith("Lowest force with jumps, over") for line in lines)
     assert not any(re.search("detach the|detaches the|such isolators|Krishna|Left out: a map", line) for line in lines)
 
@@ -296,8 +296,8 @@ def test_report_under_a_load_leaves_out_centred_questions(tmp_path):
     up, down = mount.saddle_nodes(3.0)
     peak, begins = mount.peak(3.0), mount.isolation(3.0)
     expected = (
-        f"At 3 N it jumps up at {up.f:.4g} Hz, jumps down at {down.f:.4g} Hz; its springs stay attached up to "
-        f"{mount.detachment().F_cr:.4g} N. Its peak amplitude is {1e3 * peak.A:.4g} mm, at {peak.f:.4g} Hz. "
+        f"At 3 N the isolator jumps up at {up.f:.4g} Hz, jumps down at {down.f:.4g} Hz; its springs stay attached "
+        f"up to {mount.detachment().F_cr:.4g} N. Its peak amplitude is {1e3 * peak.A:.4g} mm, at {peak.f:.4g} Hz. "
         f"Above {begins.f:.4g} Hz its transmissibility is below 0 dB. "
         f"At 2.2 Hz its transmissibility is {mount.amplitudes(f=2.2, F=3.0).transmissibility_dB[0]:.4g} dB."
     )
@@ -316,7 +316,7 @@ def test_report_with_other_laws_leaves_out_plain_questions(tmp_path):
     lines = lines_of(ROOT / "scenes" / "rubber.toml")
     assert any(line.startswith("Lowest force with jumps, over") for line in lines)
     assert any(line.startswith("Left out: second approximation is not available with η = 0.01, ") for line in lines)
-    assert any(line.startswith("At 5 N it jumps up at 2.183 Hz") for line in lines)
+    assert any(line.startswith("At 5 N the isolator jumps up at 2.183 Hz") for line in lines)
 
 
 @pytest.mark.slow

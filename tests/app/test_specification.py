@@ -96,7 +96,7 @@ def test_it_isolates_from_the_frequency_that_is_told(rows):
 def test_the_peak_of_its_motion_isolates_later(verdict_of_scene):
     """Friction jumps, so that the peak of the waveform exceeds its first harmonic."""
     (at,) = re.findall(
-        r"below -20 dB from [\d.]+ Hz on by its first harmonic, from ([\d.]+) Hz", verdict_of_scene.message
+        r"below -20 dB from [\d.]+ Hz on for the first harmonic, from ([\d.]+) Hz", verdict_of_scene.message
     )
     step = 1 / (400 * float(at))
     motion = integrate(lambda half: FLOOR * np.cos(np.pi * half / 400), 0.0, 0.0, 400 * 150, step)
@@ -107,8 +107,8 @@ def test_the_peak_of_its_motion_isolates_later(verdict_of_scene):
 def test_a_peak_that_is_not_found_is_named(scene, monkeypatch):
     monkeypatch.setattr(measure, "RISING", (0.01,))
     first, peak = verdict._of_motion(scene)
-    assert first.endswith(" Hz on by its first harmonic")
-    assert "by the equation of motion, peak: no frequency above which" in peak
+    assert first.endswith(" Hz on for the first harmonic")
+    assert "in the equation of motion, peak: no frequency above which" in peak
 
 
 @pytest.mark.slow

@@ -248,11 +248,11 @@ class Report:
         if len(folds):
             jumps = zip(folds.kind.tolist(), getattr(folds, self.f).tolist(), strict=True)
             at = ", ".join(f"{kind.replace('-', 's ')} at {_number(folds, x, self.f)}" for kind, x in jumps)
-            jumps_at = f"it {at}"
+            jumps_at = f"the isolator {at}"
         elif (lowest := _one(onset, f"{self.letter[0]}_SN")) is None:
-            jumps_at = "it does not jump, nor does it at any other amplitude of the excitation"
+            jumps_at = "the isolator does not jump, nor does it at any other amplitude of the excitation"
         else:
-            jumps_at = f"it does not jump: jumps occur only above {lowest}"
+            jumps_at = f"the isolator does not jump: jumps occur only above {lowest}"
         yield f"{jumps_at}{';' if self.plain.breakpoints else '.'}"
         if self.plain.breakpoints:
             yield self._detaching(F, margins)
@@ -420,7 +420,10 @@ class Report:
             yield _table(f"T{str(one)[1:]}", found)
             if len(found) > FEW:
                 ax = pictures.bands(page.axes(), found)
-                yield page.figure(ax, f"The range of 95 % of the designs over the nominal value, cut at 2: {one}.")
+                yield page.figure(
+                    ax,
+                    f"The range of 95 % of the designs over the nominal value, shown up to {pictures.WIDEST:g}: {one}.",
+                )
 
     def map(self) -> Iterator[str]:
         """From which force on neighbouring designs jump."""
@@ -519,7 +522,7 @@ class Report:
                 rows.append((self._in_unit(F), f"{known.ratio[top]:.3g}", *shares))
                 if message := in_units(known.message, self.mount.scales if self.mount else None):
                     at = f"{self._in_unit(F)} {self.unit}".rstrip()
-                    remarks.append(f"<p>At {at} elsewhere on the curve: {page.inline(message)}.</p>")
+                    remarks.append(f"<p>At {at}, elsewhere on the curve: {page.inline(message)}.</p>")
         if rows:
             heads = (*self._heads("F_0"), "friction / force", "median", "95th percentile")
             yield page.table("Error of the highest stable amplitude, as measured for such isolators", heads, rows)

@@ -430,7 +430,7 @@ class _Reader:
 
         table = self._table("loop")
         if not kind.in_si:
-            raise self._error("loop", "", "is of a [mount] or a [spring], in SI units")
+            raise self._error("loop", "", "needs [mount] or [spring]: a loop is in SI units")
         self._known("loop", table, OF_A_LOOP)
         self._complete("loop", table, OF_A_LOOP[:2])
         rows = {key: self._numbers(key, "loop") for key in table}

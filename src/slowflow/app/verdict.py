@@ -151,7 +151,7 @@ def _of_motion(scene: Any) -> Iterator[str]:
     mount = isinstance(scene.oscillator, Physical)
     for one in scene.requirements:
         for case, at in _forcings(scene) if one.name == TRANSMISSIBILITY else ():
-            where = f"{one.name}, {case}: by the equation of motion"
+            where = f"{one.name}, {case}: in the equation of motion"
             try:
                 isolation = scene.ask("isolation", **at, level_dB=one.below)
                 waves = (("first", "first harmonic"), ("peak", "peak")) if isolation.A else ()
@@ -161,8 +161,8 @@ def _of_motion(scene: Any) -> Iterator[str]:
                 continue
             Omega = {wave: _column(point, "Omega", mount) for wave, point in found.items() if not point.message}
             if Omega:
-                begins = (f"from {f:.4g}{' Hz' * mount} on by its {wave}" for wave, f in Omega.items())
-                yield f"{where} below {one.below:g} dB {', '.join(begins)}"
+                begins = (f"from {f:.4g}{' Hz' * mount} on for the {wave}" for wave, f in Omega.items())
+                yield f"{where} it is below {one.below:g} dB {', '.join(begins)}"
             yield from (f"{where}, {wave}: {point.message}" for wave, point in found.items() if point.message)
 
 

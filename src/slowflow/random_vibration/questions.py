@@ -35,8 +35,7 @@ NUMBERS = 8
 MOST_DRY, MOST_DRY_ABOUT, MOST_ATTACHED, MOST_NONLINEAR, NARROW = 0.8, 0.6, 0.5, 0.5, 4.0
 STUCK = "friction holds the mass nearly all of the time: no linear damping is equivalent to it"
 NOT_PUSHED_BACK = (
-    "random vibration about a mean needs a spring force that exceeds the load far from it on both sides: this one does "
-    "not"
+    "random vibration about a mean needs a spring force that exceeds the load far from the centre, on both sides"
 )
 GIVES_WAY = (
     "there is no equivalent linear oscillator: on average the spring pushes away from the centre, or is too weak to "
