@@ -145,7 +145,7 @@ function peakIn(answer) {
   const at = `at ${nameIn(state, "Omega")} = ${told(state, "Omega", peak.Omega)}`;
   if (peak.beyond) return { value: "–", note: "none within the well", text: "no peak within the well" };
   if (peak.status !== DATA.status.OK) return { value: peak.status === DATA.status.UNBOUNDED ? "unbounded" : "–", note: "", text: "no peak" };
-  if (peak.A > reach) return { value: "not reached", note: sentence(beyondReach(answer)), text: `amplitudes above ${told(state, "A", reach)}, which are not reached` };
+  if (peak.A > reach) return { value: "not reached", note: sentence(beyondReach(answer)), text: `peak above ${told(state, "A", reach)}, which is not reached` };
   return { value: told(state, "A", peak.A), note: at, text: `peak ${told(state, "A", peak.A)} ${at}` };
 }
 
