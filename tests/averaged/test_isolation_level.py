@@ -110,7 +110,7 @@ def test_isolation_frequency_is_the_last_that_transmits_more(seed, excitation):
         assert max(passed(one, Omega, F_0) for Omega in beyond.tolist()) <= level_dB + 1e-9
         assert passed(one, found.Omega * (1 - 1e-6), F_0) >= level_dB
         if not found.at_fold:
-            assert passed(one, found.Omega, F_0) == pytest.approx(level_dB, abs=1e-7)
+            assert passed(one, found.Omega, F_0) == pytest.approx(level_dB, abs=1e-12)
 
 
 @pytest.mark.slow
