@@ -173,21 +173,19 @@ def _named(users: Iterable[_Branch]) -> str:
 def _put_out_ends(branches: Sequence[_Branch], count: Iterator[int], printer: Rules) -> None:
     """Put into functions what regimes of a kernel make alike of quantities that the derivation names alike."""
     numbers: dict[str, str] = {}
-    values: list[dict[sp.Symbol, str]] = []
-    same_outputs: dict[tuple[str, ...], list[int]] = {}
-    for number, one in enumerate(branches):
+    same_outputs: dict[tuple[str, ...], list[tuple[_Branch, dict[sp.Symbol, str]]]] = {}
+    for one in branches:
+        values: dict[sp.Symbol, str] = {}
         unnamed: dict[str, str] = {}
-        values.append({})
         for symbol, value in one.program.lets:
             text = _text(value, unnamed, printer)
-            values[number][symbol] = numbers.setdefault(text, f"value^{len(numbers)}")
+            values[symbol] = numbers.setdefault(text, f"value^{len(numbers)}")
             if symbol not in one.named:
-                unnamed[symbol.name] = values[number][symbol]
-        same_outputs.setdefault(tuple(_text(output, unnamed, printer) for output in one.program.outputs), []).append(
-            number
-        )
+                unnamed[symbol.name] = values[symbol]
+        outputs = tuple(_text(output, unnamed, printer) for output in one.program.outputs)
+        same_outputs.setdefault(outputs, []).append((one, values))
     for users in same_outputs.values():
-        _put_out_end([branches[k] for k in users], [values[k] for k in users], count)
+        _put_out_end([one for one, _ in users], [values for _, values in users], count)
 
 
 def _put_out_end(users: Sequence[_Branch], values: Sequence[dict[sp.Symbol, str]], count: Iterator[int]) -> None:

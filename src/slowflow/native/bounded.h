@@ -3,8 +3,7 @@
  * divide by what may be small, and lose digits that doubles do not have.
  *
  * An operation on pairs errs by less than SFB_ERROR of its result, a sum by that of its terms (pair.h). Bounds are
- * doubles;
- * they are rounded up by a factor, which is more than their own few roundings.
+ * doubles; they are rounded up by a factor, which is more than their own few roundings.
  */
 #pragma once
 

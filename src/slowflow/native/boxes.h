@@ -17,7 +17,7 @@ enum { SF_MOST_UNKNOWNS = 3, SF_BOX_STEPS = 12 };
 
 /* by how much of its half width a box is enlarged for the proof, so that a solution on an edge is inside of one */
 #define SF_BOX_AROUND 0.125
-/* a box is not cut further below this share of its place, and of 1; half the width below which it is kept */
+/* a box is not cut further below this share of its place, and of 1; half the width below which it is not narrowed */
 #define SF_BOX_NARROWEST 0x1p-42
 #define SF_BOX_THIN 0x1p-43
 /* what some operations on intervals are rounded by, as these ends are not moved one by one */

@@ -55,7 +55,7 @@ typedef struct {
 
 /* Where answers are made that a proof decides if doubles are inconclusive. A, stable: states at a frequency;
  * inconclusive: whether doubles were on the folds, undecided: whether they still are; proofs: how many have been
- * tried of states; followed: whether the segments of the response are in work, or for a reason, `status`, cannot be */
+ * tried of states; followed: whether the segments of the response are in work, or cannot be, by `status` */
 typedef struct {
     sf_work work;
     sf_proof proof;

@@ -41,7 +41,7 @@ static void sf_leave_all_undecided(const sf_inputs *inputs, const sf_proof *proo
                                           sfi_of(proof->undecided[i].low, proof->undecided[i].high)));
 }
 
-/* Whether no amplitude from A on is that of a steady state at F_0 or less, as sf_bounds. */
+/* Whether no amplitude from A on is that of a steady state at F_0 or less, as sf_bounds in doubles. */
 static int sf_is_bounded(const sf_inputs *inputs, double F_0, double A) {
     sf_known here, there;
     sf_cell cell;
@@ -125,8 +125,8 @@ static void sf_certify_corners(const sf_inputs *inputs, const sf_terms *terms, s
 
 static double sf_middle(sf_interval x) { return 0.5 * x.lo + 0.5 * x.hi; }
 
-/* Whether a fold comes after another one: by rising Omega, by rising A where these overlap, and where
- * neither does the corner first. */
+/* Whether a fold comes after another one: by rising Omega, by rising A where these overlap, the corner first
+ * where both do. */
 static int sf_follows(const sf_enclosure *one, const sf_enclosure *other) {
     if (one->Omega.lo > other->Omega.hi || one->Omega.hi < other->Omega.lo)
         return one->Omega.lo > other->Omega.hi;
@@ -377,8 +377,8 @@ static int sf_tends_to_friction(const sf_inputs *inputs) {
     return 0;
 }
 
-/* The lowest forcing at which folds are born; what lies above the forcing that was found is left out. Where there is
- * none, by the status, whether that is proved. For zeta = 0 a lowest one is not proved. */
+/* The lowest forcing at which folds are born; what lies above the forcing that was found is left out. Where the
+ * status is that there is none, whether that is proved. For zeta = 0 a lowest one is not proved. */
 static sf_status sf_certify_onset(const sf_model *model, const sf_inputs *inputs, sf_room *room, sf_proved_onset *out) {
     sf_candidates list;
     sf_onset best;

@@ -1,6 +1,6 @@
 /* From a loop over contiguous arrays to the inner loop of a NumPy ufunc. Takes tables of kernels; returns `sf_run`.
  *
- * A kernel has one loop for each regime of the force and a function for which regime holds where. NumPy's strides
+ * A kernel has one loop for each regime of the force and a function that finds each element's regime. NumPy's strides
  * are dealt with here, in blocks that stay in the cache: strided arguments are copied, constant ones (stride 0) spread
  * once, and where a block holds several regimes each one's elements are put side by side. What is left over of a block
  * that is no multiple of a vector is filled up to one. So every loop sees contiguous arrays of whole vectors that do

@@ -33,9 +33,8 @@ static inline int sf_laws_damping_of(const double *inputs, double *damping) {
     damping[0] = slow_flow_friction(inputs[0]), damping[1] = inputs[1], damping[2] = inputs[2];
     damping[3] = dissipation_quadratic(inputs[3]), damping[4] = dissipation_cubic(inputs[4]);
     damping[5] = inputs[5], damping[6] = inputs[6] != 0;
-    /* without friction beyond the breakpoint something else has to dissipate there, and next to rest besides c_3,
-     * zeta_2
-     */
+    /* without friction beyond the breakpoint something else has to dissipate there, and next to rest besides c_3
+     * and zeta_2 */
     return (inputs[6] == 0 || inputs[1] + inputs[2] + inputs[3] > 0) && (inputs[4] + inputs[5] == 0 || inputs[1] > 0);
 }
 

@@ -29,8 +29,7 @@ static int sf_nearly_sticks(const sf_model *model, double F_0) {
     return !sf_inertial(model) && F_0 <= friction * (1 + SF_CLOSE) && F_0 >= friction * (1 - SF_CLOSE);
 }
 
-/* A fold in the middle of its enclosure; which way a sweep leaves it follows from doubles where the proof leaves it
- * open. */
+/* A fold in the middle of its enclosure; which way a sweep leaves it is that in doubles where it is not proved. */
 static void sf_add_proved_fold(const sf_model *model, const sf_enclosure *fold, sf_folds *folds) {
     const double Omega = sf_middle(fold->Omega), A = sf_middle(fold->A);
     const sf_sample at = sf_sample_at(model, A);

@@ -33,7 +33,7 @@ typedef struct {
     /* lowest level at which the fold locus ends at Omega = 0, or with a preload at A = 0, or infinite; with SF_NO_BOUND
      * a forcing that none bounds */
     double rest;
-    int undecided; /* whether there may be one whose amplitude is the same double as another's */
+    int undecided; /* whether there may be one that doubles do not resolve */
 } sf_onset;
 
 /* Whether folds that end at Omega = 0, or with a preload at A = 0, are below it, or without it. */

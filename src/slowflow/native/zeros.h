@@ -5,8 +5,8 @@
 
 #define SF_MOST_ZEROS 96
 
-/* level: of a cusp, as of sf_answer; rising: whether the function goes from below zero to
- * above it with rising A */
+/* level: of a cusp, as of sf_answer; rising: whether the function goes from below zero to above
+ * it with rising A */
 typedef struct {
     double A, Omega, level;
     sf_question question;

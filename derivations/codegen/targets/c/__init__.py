@@ -48,16 +48,13 @@ def files(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
     """Every file of this language."""
     environment = templates(Path(__file__).parent)
     result = {
-        "c/inline.h": environment.get_template("inline.h.jinja").render(),
-        "c/arithmetic_doubles.h": environment.get_template("arithmetic_doubles.h.jinja").render(),
-        **{
-            f"c/{name}.h": environment.get_template(f"{name}.h.jinja").render(macros=MACROS)
-            for name in ("arithmetic_begin", "arithmetic_end")
-        },
-        "c/angles.h": environment.get_template("angles.h.jinja").render(**angles()),
+        f"c/{name}.h": environment.get_template(f"{name}.h.jinja").render(macros=MACROS)
+        for name in ("inline", "arithmetic_begin", "arithmetic_doubles", "arithmetic_end")
     }
+    result["c/angles.h"] = environment.get_template("angles.h.jinja").render(**angles())
     with_symbols = headers(modules, code)
     result |= with_symbols | exported(with_symbols)
+    # one text, whichever mechanism it is printed of
     (result["c/mechanism_generic.h"],) = {
         environment.get_template("mechanism_generic.h.jinja").render(
             selections=[one for one in module.selections if one.name in in_every_mechanism(modules)],

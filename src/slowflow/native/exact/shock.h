@@ -33,8 +33,7 @@ typedef struct {
 } sf_shocked;
 
 /* what a batch is given as doubles: largest |u|, when; largest acceleration, when; when the springs leave, NaN for
- * never;
- * whether the mass rests at the end, and where */
+ * never; whether the mass rests at the end, and where */
 enum { SF_SHOCK_NUMBERS = 7 };
 
 static inline double sf_time_of(const sf_stretch *one, double theta) {

@@ -33,7 +33,7 @@ static void sf_forceless(const sf_drive *drive, double theta, double u, double v
 }
 
 /* What a force without a series at a place does from there on, over a step so short that the way under what it is at
- * that place matters: the integrals of the rest along that, by Gauss's rule in the fourth root of time. They enter the
+ * that place suffices: the integrals of the rest along that, by Gauss's rule in the fourth root of time. They enter the
  * second coefficients, so that the series hold at the step's end, whose distance is given. */
 static double sf_branched(const sf_law *law, const double *p, const sf_drive *inputs, double direction, double side,
                           double theta, double place, double start, double v, const sf_four *flow, sf_expansion *x) {
