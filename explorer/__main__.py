@@ -89,10 +89,15 @@ def mechanisms() -> tuple[list[str], dict[str, str], dict[str, str]]:
             on_one_side.append((name, one_end.text(name, mechanism)))
             continue
         derived = runtime.sources(mechanism)
-        source, printed = f"{derived.module.name}.c", derived.compiled
-        ((kernels, count),) = records(printed[source])
+        # the name of what is derived has a hash of the whole derivation, with the prose of its ledger
+        printed = {
+            file.replace(derived.module.name, name): text.replace(derived.module.name, name)
+            for file, text in derived.compiled.items()
+        }
+        source = printed.pop(f"{name}.c")
+        ((kernels, count),) = records(source)
         table.append((name, kernels, count, f"&{name}_of_library"))
-        sources[f"{name}.c"] = f'#define slowflow_record {name}_of_library\n#include "{source}"\n'
+        sources[f"{name}.c"] = f"#define slowflow_record {name}_of_library\n{source}"
         header += [f'#include "{kernels}.h"', f"extern const sf_mechanism *const {name}_of_library;"]
         included |= printed
     for name, kernels, count, _ in table:
