@@ -198,11 +198,14 @@ def _put_out_end(users: Sequence[_Branch], values: Sequence[dict[sp.Symbol, str]
         lets = _leading_to([let for let in first.program.lets if let[0] not in own], read)
         return lets, read.union(*(value.free_symbols for _, value in lets)) - {symbol for symbol, _ in lets}
 
-    own = {one for one in first.named if len({each.get(one) for each in values}) > 1}
+    # a call gives all of its outputs at once, where it was
+    own = {one for one in first.named if len({each.get(one) for each in values}) > 1} | _called(first)
     _, taken = without(own)
     # what all of them have computed by then, they hand on
     done = set.intersection(*({symbol for symbol, _ in _leading_to(one.program.lets, taken)} for one in users))
     lets, taken = without(own | (done & first.named))
+    if not taken & _called(first) <= first.named:  # other names elsewhere
+        return
     if _saved_by([*(value for _, value in lets), *outputs], len(users)) < LEAST_SAVED_BY_OUTPUTS:
         return
     results = tuple((sp.Symbol(f"result_{k}"), output) for k, output in enumerate(outputs))
@@ -211,8 +214,13 @@ def _put_out_end(users: Sequence[_Branch], values: Sequence[dict[sp.Symbol, str]
     function = Repeated(f"common_{next(count)}", doc, tuple(arguments), tuple(lets), results, straight=True)
     names = [name for name, _ in results]
     for one in users:
-        head = _leading_to(one.program.lets, taken)
+        head = _leading_to(one.program.lets, taken | _called(one))
         one.program = replace(one.program, lets=(*head, *function.at(arguments, names)), outputs=tuple(names))
+
+
+def _called(one: _Branch) -> set[sp.Symbol]:
+    """What it has of calls of functions that were put out."""
+    return {symbol for symbol, value in one.program.lets if isinstance(value, Output) and value.repeated.straight}
 
 
 def _is_result(symbol: sp.Symbol, same: Sequence[str], one: _Branch) -> bool:

@@ -240,7 +240,7 @@ def test_a_measured_loop_is_refused_where_it_is_read(scene):
     ):
         with pytest.raises(scenes.SceneError, match=rf"scene.toml:\d+: .*{message}"):
             scenes.read(scene(f"{MOUNT}\n[loop]\n{rows}\n"))
-    with pytest.raises(scenes.SceneError, match=r"\[loop\] is of a \[mount\] or a \[spring\], in SI units"):
+    with pytest.raises(scenes.SceneError, match=r"\[loop\] needs \[mount\] or \[spring\]: a loop is in SI units"):
         scenes.read(scene((ROOT / "scenes" / "table_1.toml").read_text() + "\n[loop]\nx = [0.0]\nF = [0.0]\n"))
 
 

@@ -238,7 +238,7 @@ def test_what_cannot_be_had_is_refused_when_it_is_stated():
         stated((linear, None), (linear, None))
     for changes, message in (
         ({"reach": None}, "is sampled up to its reach"),
-        ({"odd": False}, "polynomials"),
+        ({"odd": False}, "SymPy expressions"),
         ({"compile": True}, "compiled"),
     ):
         with pytest.raises(ValueError, match=message):
