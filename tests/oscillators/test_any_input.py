@@ -211,3 +211,15 @@ def test_sizing_is_answered_or_refused_in_words(part, F_0, bound, name):
             assert str(refusal)
         else:
             assert answer is not None
+
+
+def test_many_at_the_end_of_the_range_warn_of_nothing():
+    """Found by random input at night: a mass near the largest double, and an end that lies 1e150 u_rms away."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("error", RuntimeWarning)
+        warnings.simplefilter("ignore", Implausible)
+        sheet = dict(k_v=2500, k_h=1700, n=3, L=0.08, preload=0.009, zeta=0.02)
+        mounts = Isolator.physical(m=12, **sheet).many(m=[12.0, 1.7e308])
+        assert mounts.saddle_node_onset().status.tolist() == [Status.OK, Status.INVALID]
+        designs = Isolator.many(lam=1.0, r=1.2415, delta_h=0.5, mu=[1.0, 1e150], zeta=1.0)
+        assert designs.random(S_0=[1.0, 1e-6]).crossing_rate[1, 0] == 0

@@ -37,7 +37,8 @@ def of_mount(sheet: Mapping[str, Any], zeta: Any, mounts: int) -> Iterator[str]:
     k_v, k_h, n, L, preload, friction = (np.asarray(sheet[name], dtype=float) for name in names)
     m = np.maximum(sheet["m"], sheet.get("load", 0.0)) / mounts
     with np.errstate(all="ignore"):
-        preset, ratio = m * g / k_v, np.where(preload > 0, n * k_h / k_v, 1.0)
+        weight, ratio = m * g, np.where(preload > 0, n * k_h / k_v, 1.0)
+        preset = weight / k_v
         beyond = {
             "L = {L:g} m is a push-rod as long as a house: is it in mm? Lengths are in m": L / LONGEST,
             "L = {L:g} m is a push-rod of less than 1 mm: lengths are in m": SHORTEST / L,
@@ -50,10 +51,10 @@ def of_mount(sheet: Mapping[str, Any], zeta: Any, mounts: int) -> Iterator[str]:
                 WEAKEST / ratio
             ),
             "k_h = {k_h:g} N/m dominates k_v = {k_v:g} N/m: is it in N/mm? Stiffness is in N/m": ratio / STRONGEST,
-            "friction = {friction:g} N is more than the weight, {weight:.4g} N: is it in mN?": friction / (m * g),
+            "friction = {friction:g} N is more than the weight, {weight:.4g} N: is it in mN?": friction / weight,
             "zeta = {zeta:.4g} is more than critical damping: is it in per cent? 2 % are 0.02": np.asarray(zeta),
         }
-    yield from _remarks(beyond, m=m, k_v=k_v, k_h=k_h, L=L, friction=friction, zeta=zeta, preset=preset, weight=m * g)
+    yield from _remarks(beyond, m=m, k_v=k_v, k_h=k_h, L=L, friction=friction, zeta=zeta, preset=preset, weight=weight)
 
 
 def of_frequency(f: Any, f_n: Any) -> Iterator[str]:

@@ -147,7 +147,8 @@ class RandomResponse(Drawn, Table, entry="Stationary"):
 
 def crossings(ends: Any, mean: Any, u_rms: Any, v_rms: Any) -> Any:
     """Rate at which a Gaussian motion about a mean passes either of two ends outwards, per unit of tau (Rice)."""
-    below, above = (linearization.crossings(end - mean, u_rms, v_rms) for end in ends)
+    with np.errstate(over="ignore"):  # an end that lies many u_rms away is never passed
+        below, above = (linearization.crossings(end - mean, u_rms, v_rms) for end in ends)
     return (below + above) / 2
 
 
