@@ -90,12 +90,11 @@ def _calling_by_one_name(program: Program) -> Program:
 
 def _evaluate(one: _Branch, numbers: dict[str, str], printer: Rules) -> None:
     """What each of its lets is; the numbers are those of all branches."""
-    one.values, one.lets = {}, {}
+    one.values, one.lets, called = {}, {}, _called(one)
     for symbol, value in one.program.lets:
-        called = value.repeated if isinstance(value, Output) else None
         whole = _text(value, one.values, printer)
         one.values[symbol.name] = numbers.setdefault(whole, f"value^{len(numbers)}")
-        if not (called and called.straight):
+        if symbol not in called:
             one.lets[whole] = symbol
     kept = {symbol for symbol, _ in _leading_to(one.program.lets, one.named & {*one.lets.values()})}
     one.lets = {value: symbol for value, symbol in one.lets.items() if symbol in kept}
@@ -160,9 +159,10 @@ def _put_out(name: str, same: Sequence[str], users: Sequence[_Branch]) -> None:
         taken = [there.get(first.values.get(argument.name, ""), argument) for argument in arguments]
         outputs = [one.lets[value] for value in results]
         rest = [let for let in one.program.lets if let[0] not in outputs]
-        earlier = [let for let in rest if isinstance(let[1], Output) and let[1].repeated.straight]
+        called = _called(one)
+        earlier = [let for let in rest if let[0] in called]
         needed = set().union(*(output.free_symbols for output in one.program.outputs))
-        others = _leading_to([let for let in rest if let not in earlier], needed)
+        others = _leading_to([let for let in rest if let[0] not in called], needed)
         one.program = replace(one.program, lets=(*earlier, *function.at(taken, outputs), *others))
 
 

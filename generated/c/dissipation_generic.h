@@ -3,8 +3,8 @@
    Written by `make derive` from derivations/paper/averaging.py, derivations/paper/slow_flow.py,
    derivations/extensions/dissipation.py; never edit.
 
-   Included where OF makes the names of functions, and REAL, ADD, ... are what arithmetic_*.h says. What is said of
-   rounding is that of doubles, see dissipation.h. */
+   Included where OF makes the names of functions, and REAL, ADD, ... are what arithmetic_*.h says. Rounding errors
+   are those of doubles, see dissipation.h. */
 
 SF_FAMILY_BEGIN
 

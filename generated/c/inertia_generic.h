@@ -3,8 +3,8 @@
    Written by `make derive` from derivations/paper/equation_of_motion.py, derivations/paper/averaging.py,
    derivations/paper/slow_flow.py, derivations/extensions/inertia.py; never edit.
 
-   Included where OF makes the names of functions, and REAL, ADD, ... are what arithmetic_*.h says. What is said of
-   rounding is that of doubles, see inertia.h. */
+   Included where OF makes the names of functions, and REAL, ADD, ... are what arithmetic_*.h says. Rounding errors
+   are those of doubles, see inertia.h. */
 
 /* What the least level of an amplitude follows from; it has one where the first, fall, is positive.
    Equation from (24). Domain: A > 0. Operations: 11. Error / u (1 + kappa): proved 1.61, 0.76, 0.67. */

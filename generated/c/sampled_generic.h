@@ -2,8 +2,8 @@
 
    Written by `make derive` from derivations/forces/quadrature.py, derivations/forces/sampled.py; never edit.
 
-   Included where OF makes the names of functions, and REAL, ADD, ... are what arithmetic_*.h says. What is said of
-   rounding is that of doubles, see sampled.h. */
+   Included where OF makes the names of functions, and REAL, ADD, ... are what arithmetic_*.h says. Rounding errors
+   are those of doubles, see sampled.h. */
 
 /* Under the integrals of h and h_AAAA.
    Equation (20), (31). Domain: any. Operations: 7. Error / u (1 + kappa): measured 0.77. */

@@ -25,7 +25,7 @@ from ..shared import in_both, without
 class Kind:
     """Numbers of one kind, which are in C alone.
 
-    kernels -- those of a module that are wanted on them, printed
+    kernels -- those of a module that are required on them, printed
     name_of -- of a module's functions, and of their header
     choice  -- the condition and the name of each branch of a kernel with several; the last holds where no other does
     number  -- the type
