@@ -25,7 +25,7 @@ import pytest
 import sympy as sp
 from scipy.integrate import solve_ivp
 
-from slowflow import Duffing, SlowflowError, derive, include
+from slowflow import SlowflowError, derive, include
 from slowflow.app.cli import main
 from tests.sampling import slow
 
@@ -136,13 +136,6 @@ def test_its_exact_motion_returns_by_another_integrator(stop):
     )
     np.testing.assert_allclose(done.y[:, -1], [x[0], v[0]], atol=1e-7)
     assert max(abs(done.y[0])) == pytest.approx(motion.A, rel=2e-5)
-
-
-def test_a_cubic_spring_is_the_packages_own(folder):
-    cubic = derive.mechanism("cubic", [(alpha * u + beta * u**3, None)], {"alpha": {}, "beta": {}})
-    one, other = cubic(alpha=0.5, beta=1.0, mu=0.01, zeta=0.02), Duffing(0.5, 1.0, 0.01, 0.02)
-    assert one.saddle_node_onset().F_SN == pytest.approx(other.saddle_node_onset().F_SN, rel=4e-15)
-    np.testing.assert_allclose(one.saddle_nodes(0.1).Omega, other.saddle_nodes(0.1).Omega, rtol=4e-15)
 
 
 @pytest.mark.slow

@@ -665,15 +665,3 @@ def test_far_out_an_enclosure_narrows_as_what_it_encloses():
         scaled.append(bent(backend.record_of(model.mechanism), model, at, 1.001 * at)[1] * at**6)
         assert scaled[-1][0] < 20 * np.pi / stiffness**2 < scaled[-1][1]
     np.testing.assert_allclose(*scaled, rtol=0.01)
-
-
-@pytest.mark.slow
-def test_a_piece_may_end_at_a_power_of_parameters():
-    ends = {"square": ((1 - c) ** 2, 0.25), "cube": (1 / (1 + c) ** 3, 1 / 1.5**3)}
-    for name, (stated, value) in ends.items():
-        pieces = [[(u, one), (u + sp.tanh(k * (u - one)), None)] for one in (stated, gap)]
-        powers = derive.mechanism(f"ends_at_{name}", pieces[0], {"c": ABOVE_0 | {"below": 1}, "k": ABOVE_0})
-        plain = derive.mechanism("ends_at_gap", pieces[1], {"gap": ABOVE_0, "k": ABOVE_0})
-        folds = powers(c=0.5, k=8.0, **DAMPING).saddle_nodes(0.08)
-        assert len(folds) > 0
-        np.testing.assert_allclose(folds.Omega, plain(gap=value, k=8.0, **DAMPING).saddle_nodes(0.08).Omega, rtol=1e-13)

@@ -33,16 +33,6 @@ def test_a_curve_lies_where_the_average_has_it(name):
 
 
 @pytest.mark.slow
-def test_gradients_are_those_of_the_force_that_is_not_compiled():
-    numbers = FORCES["soft_stop"][1]
-    plain, compiled = (
-        derived("soft_stop", how)(**numbers, **DAMPING).saddle_nodes(0.3).gradient() for how in (False, True)
-    )
-    for by in numbers:
-        np.testing.assert_allclose(compiled["Omega", by], plain["Omega", by], rtol=1e-10)
-
-
-@pytest.mark.slow
 @pytest.mark.parametrize("name", FORCES)
 @pytest.mark.part(3)
 def test_compiled_interval_encloses_the_average_and_its_bend(name):

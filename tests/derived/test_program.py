@@ -209,28 +209,6 @@ def test_a_force_beyond_what_a_record_has_room_for_is_refused():
         derive.mechanism("crowded", pieces, {a.name: ABOVE_0 for a in names})
 
 
-def stops(count: int):
-    """Springs that the mass meets one after the other."""
-    gaps, springs = sp.symbols(f"gap_1:{count + 1}"), sp.symbols(f"spring_1:{count + 1}")
-    pieces, force = [], u
-    for meets, stiffness in zip(gaps, springs, strict=True):
-        pieces.append((force, meets))
-        force += stiffness * (u - meets)
-    return derive.mechanism("stops", [*pieces, (force, None)], {one.name: ABOVE_0 for one in (*gaps, *springs)})
-
-
-@pytest.mark.slow
-def test_breakpoints_that_no_fold_reaches_change_no_answer():
-    """Four of them beside two."""
-    numbers = {"gap_1": 0.1, "gap_2": 0.2, "spring_1": 0.5, "spring_2": 0.4, "mu": 0.01, "zeta": 0.05}
-    far = {f"gap_{k}": 50.0 + k for k in range(3, 5)} | {f"spring_{k}": 1.0 for k in range(3, 5)}
-    few, many = stops(2)(**numbers), stops(4)(**numbers, **far)
-    assert many.model.native is not None
-    assert many.saddle_node_onset().F_SN == pytest.approx(few.saddle_node_onset().F_SN, rel=1e-13)
-    assert many.saddle_nodes(0.05).A == pytest.approx(few.saddle_nodes(0.05).A, rel=1e-12)
-    assert many.detachment() == few.detachment()
-
-
 def test_a_design_outside_its_domain_is_none():
     mechanism = derive.mechanism(
         "bounded",

@@ -122,61 +122,6 @@ def test_what_boxes_add_goes_with_the_square_of_their_size(patched):
     assert 0 < beyond(1e-3) < 0.02 * beyond(1e-2) < 1e-7
 
 
-#: forces as `test_sided` has them, polynomials: a stop on either side, between two, even powers, a jump
-POLYNOMIALS = {
-    "both": ([(u + k * (u + 2 * g), -2 * g), (u, g), (u + k * (u - g) + p * (u - g) ** 3, None)], 0.08),
-    "within": ([(u + k * (u - g), g), (u, None)], 0.06),
-    "even": ([(u + p * u**2 / 20 + 0.6 * u**3, None)], 0.12),
-    "jump": ([(u, g), (u + p / 1000 + k * (u - g), None)], 0.05),
-}
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("name", sorted(POLYNOMIALS))
-@pytest.mark.part(2)
-def test_polynomial_stated_as_another_force_has_the_same_answers(name):
-    """With a term z exp(u), z = 0: averaged by summation instead of steps."""
-    pieces, F_0 = POLYNOMIALS[name]
-    numbers = {"k": 3.0, "p": 15.0, "g": 0.1}
-    stated = derive.mechanism(f"same_{name}", pieces, {one: {} for one in numbers}, odd=False)
-    curved = [(force + z * sp.exp(u), end) for force, end in pieces]
-    summed = derive.mechanism(f"summed_{name}", curved, {one: {} for one in (*numbers, "z")}, odd=False)
-    parameters = {**numbers, "mu": 0.004, "zeta": 0.03, "load": 0.01}
-    one, other = stated(**parameters), summed(**parameters, z=0.0)
-    for ask, names in (
-        (lambda of: of.rest(), ("u", "stiffness")),
-        (lambda of: of.amplitudes(Omega=[0.8, 1.2, 1.5], F_0=F_0), ("Omega", "A", "B", "phi")),
-        (lambda of: of.saddle_nodes(F_0), ("Omega", "A", "B")),
-        (lambda of: of.saddle_node_onset(), ("F_SN", "Omega", "A", "B")),
-        (lambda of: of.detachment(), ("F_cr", "Omega_cr", "A", "B")),
-        (lambda of: of.peak(F_0), ("A", "B", "Omega", "u_max", "Omega_max")),
-    ):
-        found, same = ask(other), ask(one)
-        assert found.message == same.message
-        for quantity in names:
-            values = [np.array(getattr(answer, quantity), dtype=float) for answer in (found, same)]
-            np.testing.assert_allclose(*values, rtol=1e-9, atol=1e-12)
-    curves = [of.frequency_response(F_0) for of in (other, one)]
-    assert curves[0].isola == curves[1].isola
-
-
-@pytest.mark.slow
-def test_an_odd_force_under_a_load_is_the_same_stated_for_all_u():
-    hard = q * (sp.exp((u - g) / d) - 1)
-    one = derive.mechanism("two_cushions", [(u, g), (u + hard, None)], {"q": ABOVE, "d": ABOVE, "g": ABOVE})
-    pieces = [(u - hard.subs(u, -u), -g), (u, g), (u + hard, None)]
-    other = derive.mechanism("both_cushions", pieces, {"q": ABOVE, "d": ABOVE, "g": ABOVE}, odd=False)
-    parameters = {"q": 0.2, "d": 0.1, "g": 0.1, "load": 0.03, **DAMPED}
-    for ask, names in (
-        (lambda of: of.amplitudes(Omega=[0.9, 1.3, 1.6], F_0=0.03), ("Omega", "A", "B", "phi")),
-        (lambda of: of.saddle_nodes(0.03), ("Omega", "A", "B")),
-        (lambda of: of.detachment(), ("F_cr", "A", "B")),
-    ):
-        found, same = ask(one(**parameters)), ask(other(**parameters))
-        for name in names:
-            np.testing.assert_allclose(getattr(found, name), getattr(same, name), rtol=1e-11, atol=1e-15)
-
-
 @pytest.mark.slow
 def test_its_derivation_is_told():
     """It asked for the degree of each piece, which only a polynomial has."""

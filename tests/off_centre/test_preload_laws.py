@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from slowflow import Duffing, derive
+from slowflow import derive
 from slowflow.answers.results import Remark
 from tests.oracles.by_time import largest
 from tests.oracles.by_work import assert_complete, balances, force_of
@@ -131,14 +131,3 @@ def test_inertia_at_low_frequencies_leaves_the_mass_at_rest(springs):
     # along the curve the amplitude tends to 0 there
     curve = one.frequency_response(0.08, Omega=(0.0, 2.0))
     assert curve.Omega[np.argmin(curve.A)] == pytest.approx(begin, rel=1e-3)
-
-
-def test_a_response_by_inertia_that_closes_is_not_cut():
-    """A cubic spring of which only intervals are known: it was taken for one that has states of any amplitude."""
-    s = sp.Symbol("s")
-    force = [(u + k * u**3 + s * sp.tanh(u), None)]
-    summed = derive.mechanism("summed_cubic", force, {"k": ABOVE_0, "s": {"least": 0}})
-    numbers = {"mu": 0.05, "zeta": 0.5, "excitation": "base"}
-    found = summed(k=1.8, s=0.0, **numbers).peak(0.4)
-    known = Duffing(alpha=1.0, beta=1.8, **numbers).peak(0.4)
-    assert (found.message, found.A) == ("", pytest.approx(known.A, rel=1e-12))

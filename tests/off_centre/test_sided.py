@@ -13,7 +13,6 @@ from slowflow.answers.results import Remark
 from slowflow.core.validate import NotAvailable
 from slowflow.exact.motion import Forced, follow
 from slowflow_kernels.conventions import Status
-from tests.answers.test_agreement import snap
 from tests.off_centre.test_curved import PATCHED
 from tests.oracles import exact_reference
 from tests.oracles.by_time import mean_and_first
@@ -34,50 +33,6 @@ def stop():
 @pytest.fixture(scope="module")
 def patched():
     return derive.mechanism("patched", PATCHED["powers"], {"p": {}, "q": {}}, odd=False, compile=True)
-
-
-@pytest.mark.slow
-def test_odd_force_stated_as_asymmetric_has_the_same_answers():
-    pieces = [(u + k * (u + g), -g), (u, g), (u + k * (u - g), None)]
-    both = derive.mechanism("two_stops", pieces, {"k": ABOVE, "g": ABOVE}, odd=False)
-    parameters = {"mu": 0.005, "zeta": 0.03, "load": 0.05}
-    one, other = both(k=8.0, g=0.2, **parameters), derive.library("elastic_stop")(kappa=8.0, delta=0.2, **parameters)
-    states = [of.amplitudes(Omega=[0.7, 1.05, 1.3], F_0=0.03) for of in (one, other)]
-    folds = [of.saddle_nodes(0.03) for of in (one, other)]
-    assert len(states[0]) and len(folds[0])
-    for pair, names in ((states, ("Omega", "A", "B", "phi")), (folds, ("Omega", "A", "B"))):
-        for name in names:
-            np.testing.assert_allclose(*(getattr(found, name) for found in pair), rtol=1e-12)
-    assert (states[0].stable == states[1].stable).all() and folds[0].kind.tolist() == folds[1].kind.tolist()
-    found, same = one.detachment(), other.detachment()
-    assert [found.F_cr, found.A, found.B] == pytest.approx([same.F_cr, same.A, same.B], rel=1e-13)
-    assert one.rest().u == pytest.approx(other.rest().u, rel=1e-15)
-    # without a load it is not known to be odd: what is about the centre is found off it, with B = 0
-    centred = other.replace(load=0.0).amplitudes(Omega=1.05, F_0=0.03)
-    found = one.replace(load=0.0).amplitudes(Omega=1.05, F_0=0.03)
-    assert found.A == pytest.approx(centred.A, rel=1e-12) and np.abs(found.B).max() < 1e-12
-
-
-@pytest.mark.slow
-def test_odd_polynomial_by_enclosures_has_answers_under_a_load():
-    """As where all five of its pieces are stated."""
-    low = 0.3 - 0.4 * k
-    pieces = [(2 * (u + 0.7) - low, -0.7), (-0.3 - k * (u + 0.3), -0.3), (u, 0.3), (0.3 - k * (u - 0.3), 0.7)]
-    five = derive.mechanism("snap_of_five", [*pieces, (low + 2 * (u - 0.7), None)], {"k": ABOVE}, odd=False)
-    loaded = snap(load=0.02), five(k=0.5, zeta=0.05, load=0.02)
-    one, other = (of.amplitudes(Omega=[0.6, 0.9], F_0=0.12) for of in loaded)
-    assert (one.A + np.abs(one.B)).max() > 0.7 and one.A == pytest.approx(other.A, rel=1e-11)
-    assert one.B == pytest.approx(other.B, rel=1e-11) and (one.stable == other.stable).all()
-
-
-def test_mirrored_stop_has_mirrored_answers(stop):
-    left = derive.mechanism("left_stop", [(u + k * (u + g), -g), (u, None)], {"k": ABOVE, "g": {}}, odd=False)
-    one, other = stop(k=8.0, g=0.2, load=0.02, **DAMPED), left(k=8.0, g=0.2, load=-0.02, **DAMPED)
-    folds, mirrored = one.saddle_nodes(0.03), other.saddle_nodes(0.03)
-    assert len(folds) == 2 and folds.Omega == pytest.approx(mirrored.Omega, rel=1e-12)
-    assert folds.B == pytest.approx(-mirrored.B, rel=1e-9)
-    assert one.detachment().F_cr == pytest.approx(other.detachment().F_cr, rel=1e-13)
-    assert other.detachment().B - other.detachment().A == pytest.approx(-0.2, rel=1e-14)
 
 
 #: pieces by rising u, their numbers, and a forcing: stops on either side, a stiffer side, even powers, a jump
