@@ -91,6 +91,9 @@ def main(arguments: list[str] | None = None) -> int:
 if __name__ == "__main__":
     # before SymPy is imported: by itself it keeps 1000 results of each of its functions, too few for a derivation
     os.environ.setdefault("SYMPY_CACHE_SIZE", "None")
-    # expressions are in no cycles, and most live to the end: looking for garbage takes a seventh of the time
+    # expressions are in no cycles, and most live to the end: looking for garbage takes a seventh of the time, and once
+    # more where the interpreter ends
     gc.disable()
-    sys.exit(main())
+    status = main()
+    gc.freeze()
+    sys.exit(status)

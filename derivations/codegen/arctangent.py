@@ -59,8 +59,9 @@ def series() -> Series:
     field = sp.QQ.algebraic_field(sp.sqrt(2))
     exact, over_t = field.from_sympy(q), sp.Poly(-1, w, domain=field)
     for k in range(n):
-        term = sp.expand(sp.chebyshevt(2 * k + 1, sp.sqrt(w)) / sp.sqrt(w))
-        over_t += sp.Poly(term, w, domain=field).mul_ground(2 * (-1) ** k * exact ** (2 * k + 1) / (2 * k + 1))
+        # T_(2k+1)(t)/t is a polynomial in t^2
+        term = sp.Poly(sp.chebyshevt_poly(2 * k + 1, w, polys=True).all_coeffs()[:-1:2], w, domain=field)
+        over_t += term.mul_ground(2 * (-1) ** k * exact ** (2 * k + 1) / (2 * k + 1))
     shifted = over_t.compose(sp.Poly(w + sp.Rational(1, 2), w, domain=field))
     return Series(tuple(reversed(shifted.all_coeffs())), _bound(q, n))
 

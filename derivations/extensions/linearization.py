@@ -89,17 +89,20 @@ def _mean_over_u(of_u: sp.Expr) -> sp.Expr:
     return sp.expand(sp.Add(*(factor * sigma_u**n * _moment(n, ends[acts]) for (n, acts), factor in terms)))
 
 
+#: density of |v| where the root mean square of v is 1, and its integral up to `level`
+_DENSITY = sp.sqrt(2 / sp.pi) * sp.exp(-(_v**2) / 2)
 _FRACTION = sp.erf(level / sp.sqrt(2))
 
 
 @functools.cache
 def _moment(power: int, to: sp.Expr = sp.oo) -> sp.Expr:
-    """E[|v|^power] of a Gaussian number with the root mean square 1, of |v| up to an end; higher powers by parts."""
-    density = 2 * sp.exp(-(_v**2) / 2) / sp.sqrt(2 * sp.pi)
-    if power < 2:
-        return sp.integrate(_v**power * density, (_v, 0, to)).subs(_FRACTION, within)
-    at_end = 0 if to == sp.oo else to ** (power - 1) * density.subs(_v, to)
-    return sp.expand((power - 1) * _moment(power - 2, to) - at_end)
+    """E[|v|^power] of a Gaussian number with the root mean square 1, of |v| up to an end; by parts as rho' = -v rho."""
+    if power == 0:
+        return sp.S.One if to == sp.oo else within
+    at_start = _DENSITY.subs(_v, 0) if power == 1 else 0
+    at_end = 0 if to == sp.oo else to ** (power - 1) * _DENSITY.subs(_v, to)
+    higher = (power - 1) * _moment(power - 2, to) if power > 1 else 0
+    return sp.expand(higher + at_start - at_end)
 
 
 def linearization() -> Formulas:
@@ -164,6 +167,7 @@ def linearization() -> Formulas:
 def _check_fraction() -> None:
     """The slope of ln(within) by ln(level) falls: its own is a square times (1 - level^2) within - level within'."""
     by_level = sp.diff(_FRACTION, level)
+    claim("`within` is `erf(level/sqrt(2))`: its slope is the density", by_level, _DENSITY.subs(_v, level))
     own = (1 - level**2) * _FRACTION - level * by_level
     slope = sp.diff(level * by_level / _FRACTION, level)
     claim(
@@ -188,15 +192,18 @@ def _check_mean() -> None:
     m = sp.Symbol("m", real=True)
     at = (u - m) / sigma_u
     density = sp.exp(-(at**2) / 2) / (sp.sqrt(2 * sp.pi) * sigma_u)
+    by_m, by_sigma = (sp.expand(sp.diff(sp.expand_log(sp.log(density), force=True), by)) for by in (m, sigma_u))
     hermite = [2 ** sp.Rational(-n, 2) * sp.hermite(n, at / sp.sqrt(2)) for n in range(6)]
     for n, (one, following) in enumerate(itertools.pairwise(hermite)):
         claim(
             f"`sigma_u dA_{n}/dm = A_{n + 1}`, by the densities of both averages",
-            sp.simplify((sigma_u * sp.diff(one * density, m) - following * density) / density),
+            sigma_u * (sp.diff(one, m) + one * by_m),
+            following,
         )
     claim(
         "`A_0` obeys the heat equation `d A_0/d(sigma_u^2/2) = d^2 A_0/dm^2`",
-        sp.simplify((sp.diff(density, sigma_u) / sigma_u - sp.diff(density, m, 2)) / density),
+        by_sigma / sigma_u,
+        sp.diff(by_m, m) + by_m**2,
     )
     claim("`A_1/sigma_u` is `E[(u - m) f]/sigma_u^2`", sp.expand(hermite[1] / sigma_u - (u - m) / sigma_u**2))
     for n in range(5):
@@ -204,14 +211,11 @@ def _check_mean() -> None:
         claim(f"`E[He_{n}^2] = {n}!`", _mean(of_x, sp.S.One) - sp.factorial(n))
 
     t, d, e = sp.symbols("t d e", real=True)
-    j = sp.Symbol("j", integer=True, nonnegative=True)
-    h = sp.Function("h")
     series = sp.exp(d * t + e * t**2 / 2)
     claim("`exp(d t + e t^2/2)` has the slope `(d + e t)` times itself", sp.diff(series, t) - (d + e * t) * series)
-    of_power = (j + 1) * h(j + 1) - d * h(j) - e * h(j - 1)
-    terms = [1, d]
+    terms = [sp.S.One, d]
     for n in range(1, 6):
-        terms.append(sp.solve(of_power.subs(j, n).subs({h(n): terms[n], h(n - 1): terms[n - 1]}), h(n + 1))[0])
+        terms.append((d * terms[n] + e * terms[n - 1]) / (n + 1))
         claim(
             f"coefficient of `t^{n + 1}` in this series by the two before",
             sp.expand(sp.diff(series, t, n + 1).subs(t, 0) / sp.factorial(n + 1) - terms[-1]),
@@ -219,14 +223,14 @@ def _check_mean() -> None:
 
 
 def _check_cycles() -> None:
-    """Each power of u over a cycle, then over the Rayleigh distribution of the amplitude."""
-    rayleigh = A / sigma_u**2 * sp.exp(-(A**2) / (2 * sigma_u**2))
+    """Each power of u over a cycle, then over the Rayleigh distribution v exp(-v^2/2) of the amplitude sigma_u v."""
     for power in (1, 3, 5, 7):
         over_cycle = cycle_integral((A * sp.cos(psi)) ** (power + 1), sp.S.Zero, 2 * sp.pi) / (2 * sp.pi)
-        both = sp.integrate(over_cycle * rayleigh, (A, 0, sp.oo))
+        rayleigh = sp.sqrt(sp.pi / 2) * _moment(power + 2)
         claim(
             f"`E[u f]` is the mean over Rayleigh-distributed amplitudes, `f = u^{power}`",
-            both - _mean(_v ** (power + 1), sigma_u),
+            over_cycle.subs(A, sigma_u) * rayleigh,
+            _mean(_v ** (power + 1), sigma_u),
         )
 
 

@@ -61,9 +61,9 @@ def closed_sums() -> list[tuple[sp.Expr, sp.Expr]]:
     return found
 
 
-def _without_first(total: sp.Expr, x: sp.Symbol, x2: sp.Symbol, *, odd: bool) -> sp.Expr:
-    """A closed sum less its term n = 1, as a polynomial in x = pi/2 - turned, over x where it is odd."""
-    about = sp.Poly(sp.expand(total.subs(turned, sp.pi / 2 - x)), x)
+def _without_first(total: sp.Expr, x2: sp.Symbol, *, odd: bool) -> sp.Expr:
+    """A closed sum less its term n = 1, as a polynomial in (pi/2 - turned)^2, over pi/2 - turned where it is odd."""
+    about = sp.Poly(total, turned).compose(sp.Poly(sp.pi / 2 - turned, turned))
     powers = {power: value for (power,), value in about.terms()}
     # of cos(turned) = sin(x), and of sin(turned) = cos(x)
     first = {power: sp.Integer(-1) ** (power // 2) / sp.factorial(power) for power in range(odd, DEGREE + 1, 2)}
@@ -93,8 +93,8 @@ def wave() -> Formulas:
     by_cosines, by_sines = (sp.Integer(0), sp.Integer(0))
     closed_cosines, closed_sines = sp.symbols("closed_cosines closed_sines", real=True)
     for of_cosines, of_sines in reversed(closed_sums()):
-        by_cosines = kappa * by_cosines + x * _without_first(of_cosines, x, x2, odd=True)
-        by_sines = kappa * by_sines + _without_first(of_sines, x, x2, odd=False)
+        by_cosines = kappa * by_cosines + x * _without_first(of_cosines, x2, odd=True)
+        by_sines = kappa * by_sines + _without_first(of_sines, x2, odd=False)
     lets += [(closed_cosines, by_cosines), (closed_sines, by_sines)]
     # smallest first
     rest = list(numbers)[::-1]

@@ -679,7 +679,7 @@ def of_springs(end: Corner) -> tuple[Regime, Regime]:
 
     def on_circle(value: sp.Expr) -> sp.Expr:
         """In factors, x^2 + y^2 being 1; what vanishes with y at x = 1 is a power of y."""
-        above, below = sp.fraction(sp.cancel(sp.together(value)))
+        above, below = sp.fraction(sp.cancel(value))
         above = sp.Poly(sp.rem(sp.Poly(above, y), sp.Poly(y**2 + x**2 - 1, y)).as_expr(), x)
         while not above.is_zero and above.rem(sp.Poly(1 - x**2, x)).is_zero:
             above, below = above.quo(sp.Poly(1 - x**2, x)), below / y**2
