@@ -21,7 +21,6 @@ from tests.files import MOUNT
 from tests.oracles import by_time
 from tests.oracles.by_work import assert_complete, balances, force_of
 from tests.sampling import slow
-from tests.slopes import assert_slopes_are_differences
 
 RUBBING = Isolator(lam=3.0, r=2.0, delta_h=0.08, mu=0.012, zeta=0.04, contact="attached", force="untruncated")
 LOOSE = Isolator(lam=3.0, r=0.5, delta_h=0.02, mu=0.03, zeta=0.03, contact="attached", force="untruncated")
@@ -387,39 +386,6 @@ def test_a_batch_has_no_peak_where_the_mass_sticks():
     assert Isolator(**parameters, **laws).peak(F_0).message.startswith("sticks")
 
 
-#: numbers of answers whose gradients are asked for: how they are got, and what they are called
-NUMBERS = {
-    "folds": (lambda osc: osc.saddle_nodes(0.0502), ("Omega", "A")),
-    "states": (lambda osc: osc.amplitudes(Omega=1.02, F_0=0.0502), ("A", "phi", "transmissibility")),
-    "peak": (lambda osc: osc.peak(0.0502), ("A", "Omega")),
-    "onset": (lambda osc: osc.saddle_node_onset(), ("F_SN", "Omega", "A")),
-    "detachment": (lambda osc: osc.detachment(), ("F_cr", "Omega_cr", "u_cr")),
-}
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize(
-    ("osc", "questions"),
-    [
-        (LOOSE.replace(eta=0.001, c_2=0.02), ("detachment",)),
-        # folds on the corner that friction makes, where it ends; an isola's birth
-        (LOOSE.replace(eta=0.0005, c_2=0.001), ("folds", "onset")),
-        (RUBBING.replace(force="truncated", mu=0.02), ("folds", "states")),
-        (Duffing(1.0, 2.0, 0.003, 0.01, eta=0.01, c_2=0.05, c_3=0.3, zeta_2=0.5), ("states", "peak")),
-        (LOOSE.replace(eta=0.0005, c_2=0.001, excitation="base"), ("onset", "detachment")),
-        (Duffing(1.0, 2.0, 0.0, 0.01, eta=0.01, zeta_2=0.5, excitation="unbalance"), ("states", "peak", "onset")),
-    ],
-    ids=str,
-)
-def test_slopes_are_those_of_differences_by_every_parameter(osc, questions):
-    for question in questions:
-        ask, names = NUMBERS[question]
-        gradient = ask(osc).gradient()
-        assert gradient.of == names and {"eta", "c_2"} < set(gradient.by)
-        numbers = {by: getattr(osc, by) for by in set(gradient.by) - {"F_0", "Omega"} if getattr(osc, by) != 0}
-        assert assert_slopes_are_differences(osc.replace, numbers, {question: ask}, numbers) == {question}
-
-
 @pytest.mark.slow
 def test_a_law_that_is_not_there_has_a_slope_too():
     """By eta and c_2 at 0, from above; and where friction ends a motion at u_cr has none."""
@@ -436,18 +402,6 @@ def test_a_law_that_is_not_there_has_a_slope_too():
     without = LOOSE.replace(contact="throughout", c_2=0.1).amplitudes(Omega=1.02, F_0=0.0502)
     passes = dataclasses.replace(without, Omega=without.Omega[:1], A=u_cr, stable=without.stable[:1])
     assert passes.gradient().status.tolist() == [GradientStatus.OK]
-
-
-@pytest.mark.slow
-def test_a_mount_has_the_same_gradients():
-    mount = Isolator.physical(
-        m=12, k_v=2500, k_h=600, n=2, L=0.08, preload=0.002, c=8.0, eta=0.01, c_2=5.0, c_3=9.0, c_xx=500.0
-    )
-    by = ("eta", "c_2", "c_3", "c_xx", "k_v", "L", "m")
-    laws = "eta", "c_2", "c_3", "c_xx"
-    assert mount.peak(F=5).gradient().by == ("n", "k_h", "preload", "friction", "c", *laws, "F", "k_v", "L", "m")
-    numbers = {name: mount.given[name] for name in by}
-    assert assert_slopes_are_differences(mount.replace, numbers, {"peak": lambda one: one.peak(F=5)}, by)
 
 
 # ---- static friction above the kinetic one

@@ -18,7 +18,6 @@ from slowflow_kernels.conventions import Status
 from tests.files import MOUNT, scene
 from tests.oracles import by_time
 from tests.sampling import fewer
-from tests.slopes import assert_slopes_are_differences
 
 LEVELS = (0.0, -3.0, -20.0, -40.0)
 EPS = np.finfo(float).eps
@@ -176,23 +175,6 @@ def test_quadratic_damping_transmits_a_share_at_any_frequency():
 def test_a_level_above_0_dB_is_refused(level_dB):
     with pytest.raises(Refused, match="level_dB"):
         Duffing(1.0, 0.0, zeta=0.1).isolation(0.3, level_dB)
-
-
-@pytest.mark.parametrize("excitation", ["force", "base"])
-@pytest.mark.parametrize("level_dB", [-6.0, -20.0])
-def test_it_moves_with_the_parameters_as_differences_say(level_dB, excitation):
-    parameters, F_0 = {"alpha": 0.8, "beta": 0.6, "mu": 1e-3, "zeta": 0.08}, 0.05
-
-    def begins(F_0, **values):
-        return Duffing(**values, excitation=excitation).isolation(F_0, level_dB)
-
-    numbers = {**parameters, "F_0": F_0}
-    assert assert_slopes_are_differences(begins, numbers, {"isolation": lambda found: found}, numbers)
-    gradient = begins(**numbers).gradient()
-    many = Duffing.many(**parameters, excitation=excitation).isolation(F_0, level_dB=[level_dB]).gradient()
-    for name in numbers:
-        for of in ("Omega", "A"):
-            assert many[of, name][0] == pytest.approx(gradient[of, name], rel=1e-9)
 
 
 @pytest.mark.slow

@@ -22,7 +22,6 @@ from tests.oracles.by_work import assert_complete
 from tests.oracles.forces import FORCES as NUMBERS
 from tests.oracles.pieces import AVERAGED, c, gap, k, names_of, p, u
 from tests.sampling import slow
-from tests.slopes import assert_slopes_are_differences
 
 ABOVE_0 = {"above": 0}
 DAMPING = {"mu": 0.01, "zeta": 0.03}
@@ -227,18 +226,6 @@ def test_answers_at_all_depths_agree():
     near = one.second_approximation.amplitudes(Omega=0.9, F_0=0.1)
     assert abs(near.A[0] / motion.A - 1) < abs(A / motion.A - 1) < 0.1
     assert "not measured" in str(one.amplitudes(Omega=0.9, F_0=0.1).validity)
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize(
-    ("name", "numbers"), [("soft_stop", None), ("power", None), ("hertz", None), ("letting_go", {"k": 1.5, "gap": 0.5})]
-)
-def test_gradients_are_what_neighbours_differ_by(name, numbers):
-    """Of folds, also where the force jumps at a breakpoint that moves; against differences of answers."""
-    numbers = numbers or FORCES[name][1]
-    one = derived(name)(**numbers, **DAMPING)
-    folds = {"folds": lambda one: one.saddle_nodes(0.1)}
-    assert assert_slopes_are_differences(one.replace, numbers, folds, numbers)
 
 
 @pytest.mark.slow

@@ -15,7 +15,6 @@ from slowflow.sizing import tolerances
 from slowflow_kernels.duffing import MECHANISM
 from tests.files import MOUNT
 from tests.oracles.by_time import mean_and_first
-from tests.slopes import assert_slopes_are_differences
 
 u, k, g, a, b = sp.symbols("u k g a b", real=True)
 #: one of each law and excitation
@@ -173,25 +172,6 @@ def test_what_is_not_answered_off_the_centre_is_refused_in_words():
     assert well.replace(load=0.05).amplitudes(Omega=1.0, F_0=0.1).A.size
     with pytest.raises(NotAvailable, match="contact = 'attached'"):
         Isolator(**TABLE_1, load=0.05, contact="attached")
-
-
-QUERIES = {
-    "onset": lambda of: of.saddle_node_onset(),
-    "folds": lambda of: of.saddle_nodes(0.1),
-    "peak": lambda of: of.peak(0.06),
-    "states": lambda of: of.amplitudes(Omega=0.8, F_0=0.06),
-    "detachment": lambda of: of.detachment(),
-}
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("law", LAWS)
-@pytest.mark.parametrize("ask", QUERIES)
-def test_gradients_are_differences_of_answers(law, ask):
-    plain = ask in ("onset", "folds", "peak")  # of an isolator these take seconds
-    numbers = {**({"alpha": 1.0, "beta": 1.0, "mu": 0.01, "zeta": 0.03} if plain else TABLE_1), "load": 0.1, **law}
-    make, by = Duffing if plain else Isolator, {*numbers} - {"excitation"}
-    assert assert_slopes_are_differences(make, numbers, {ask: QUERIES[ask]}, by) == {ask}
 
 
 @pytest.mark.slow

@@ -16,7 +16,6 @@ from slowflow_kernels.conventions import Status
 from tests.off_centre.test_curved import PATCHED
 from tests.oracles import exact_reference
 from tests.oracles.by_time import mean_and_first
-from tests.slopes import assert_slopes_are_differences
 
 u, k, g, p, q, a, b = sp.symbols("u k g p q a b")
 ABOVE = {"above": 0}
@@ -33,41 +32,6 @@ def stop():
 @pytest.fixture(scope="module")
 def patched():
     return derive.mechanism("patched", PATCHED["powers"], {"p": {}, "q": {}}, odd=False, compile=True)
-
-
-#: pieces by rising u, their numbers, and a forcing: stops on either side, a stiffer side, even powers, a jump
-MOVING = {
-    "right": ([(u, g), (u + k * (u - g) + q * (u - g) ** 2, None)], {"k": 5.0, "q": 8.0, "g": 0.1}, 0.05),
-    "left": ([(u + k * (u + 2 * g), -2 * g), (u, None)], {"k": 5.0, "g": 0.05}, 0.05),
-    "both": (
-        [(u + k * (u + 2 * g), -2 * g), (u, g), (u + k * (u - g) + q * (u - g) ** 3, None)],
-        {"k": 3.0, "q": 20.0, "g": 0.1},
-        0.08,
-    ),
-    "within": ([(u + k * (u - g), g), (u, None)], {"k": 2.0, "g": 0.05}, 0.06),
-    "even": ([(u + p * u**2 + q * u**3, None)], {"p": 0.8, "q": 0.6}, 0.12),
-    "jump": ([(u, g), (u + p + k * (u - g), None)], {"p": 0.01, "k": 4.0, "g": 0.12}, 0.05),
-}
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("name", sorted(MOVING))
-def test_gradients_of_an_asymmetric_force_are_differences(name):
-    pieces, numbers, F_0 = MOVING[name]
-    made = derive.mechanism(f"moving_{name}", pieces, {one: {} for one in numbers}, odd=False)
-    one = made(**numbers, mu=0.004, zeta=0.03)
-    queries = {
-        "detachment": lambda one: one.detachment(),
-        "onset": lambda one: one.saddle_node_onset(),
-        "folds": lambda one: one.saddle_nodes(F_0),
-        "states": lambda one: one.amplitudes(Omega=1.2, F_0=F_0),
-        "peak": lambda one: one.peak(F_0),
-    }
-    parameters = {by: getattr(one, by) for by in (*numbers, "mu", "zeta", "load")}
-    moving = assert_slopes_are_differences(one.replace, parameters, queries, parameters)
-    assert moving >= {"states", "peak"} | ({"onset"} if name != "jump" else set())
-    assert ("detachment" in moving) == (name != "even")
-    assert ("folds" in moving) == (name != "within")
 
 
 @pytest.mark.slow
