@@ -243,7 +243,7 @@ def test_maps_under_a_load_have_the_answers_of_the_batch(tmp_path):
         assert {"B", "stands"} & set(found) or question not in ("amplitudes", "transient")
         assert_same_bits(found, expected, "load")
     for refused in (lambda: designs.certify(0.2), lambda: designs.at_rest(), lambda: designs.second_approximation):
-        with pytest.raises(ValueError, match="about centred motions"):
+        with pytest.raises(ValueError, match="assumes motion about the centre"):
             refused()
     with pytest.raises(ValueError, match="rest is not available for many designs without a load"):
         over().rest()

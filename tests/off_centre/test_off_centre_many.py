@@ -136,7 +136,7 @@ def test_centred_question_is_no_attribute_and_says_why():
     assert not hasattr(designs, "what") and not hasattr(designs, "cusps")
     for name in ("certify", "at_rest", "second_approximation"):
         assert not hasattr(designs, name) and getattr(designs, name, None) is None
-        with pytest.raises(ValueError, match="not available, this question is about centred motions"):
+        with pytest.raises(ValueError, match="it assumes motion about the centre"):
             getattr(designs, name)
     assert hasattr(designs, "peak") and not hasattr(Isolator(**TABLE_1, load=0.01).model, "averaged")
 

@@ -600,5 +600,5 @@ class ManyQuestions(Generic[Found, Arrays]):
 
 #: questions about motions in time under a pulse or a record of the base's acceleration
 SHOCKS = tuple(name for name, row in QUESTIONS.items() if "acceleration" in row.takes)
-#: questions about motions that have no frequency: their excitation is that of their arguments
-IN_TIME = (*SHOCKS, "random")
+#: questions about motions that have no frequency: their excitation is that of their arguments, not F_0
+IN_TIME = tuple(name for name, row in QUESTIONS.items() if (row.takes or row.may) and "F_0" not in row.takes)

@@ -535,13 +535,8 @@ KNOWN = (
     *("excitation", "inertial", "force", "sticks", "breakpoints", "reach"),
 )
 
-#: questions that look at motions about the centre, or begin there
+#: of questions that look at motions about the centre, or begin there
 CENTRED = Sentence("{question:s} is not available with {why:s}: it assumes motion about the centre")
-AT_CENTRE = Sentence(
-    "{why:s}: not available, this question is about centred motions. For offset motions there are rest, detachment, "
-    "saddle_nodes, saddle_node_onset, amplitudes, frequency_response, peak, margins, hysteresis, isolation, spectrum, "
-    "and exact motions: steady_state, exact_response, sweep, transient and shock_spectrum"
-)
 
 
 def off_centre_by(mechanism: Mechanism, load: float) -> str:
@@ -577,4 +572,4 @@ class Loaded:
         # what copying and pickling ask for is asked before there are any numbers
         if name.startswith("_") or "load" not in self.__dict__:
             raise AttributeError(name)
-        raise validate.NoAttribute(AT_CENTRE.format(off_centre_by(self.unloaded.mechanism, self.load)))
+        raise validate.NoAttribute(CENTRED.format("this question", off_centre_by(self.unloaded.mechanism, self.load)))

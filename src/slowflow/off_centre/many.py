@@ -23,7 +23,7 @@ from slowflow.averaged.many import Question, failed, kinds
 from slowflow.averaged.questions import Averaged
 from slowflow.core import validate
 from slowflow.core.mechanism import Mechanism
-from slowflow.core.model import AT_CENTRE, WITH_MEAN, Floats, Model, off_centre_by
+from slowflow.core.model import CENTRED, WITH_MEAN, Floats, Model, off_centre_by
 from slowflow.core.validate import NotAvailable
 from slowflow.exact import shocks_many
 from slowflow.off_centre import by_amplitudes
@@ -119,8 +119,8 @@ class OffCentreDesigns(many.Designs):
     at_rest = certify = Unanswered("of motions about the centre")
 
     def __getattr__(self, name: str) -> Any:
-        if name in CENTRED:
-            raise validate.NoAttribute(AT_CENTRE.format(off_centre_by(self.mechanism, 0.0) or "with a load"))
+        if name in ("at_rest", "certify", "second_approximation"):  # which designs without a load have
+            raise validate.NoAttribute(CENTRED.format(name, off_centre_by(self.mechanism, 0.0) or "a load"))
         why = ", a single oscillator has it" if hasattr(OffCentre, name) else ""
         raise AttributeError(f"the offset motions of many designs have no {name}{why}")
 
@@ -296,8 +296,6 @@ def check_polynomial(mechanism: Mechanism) -> None:
 
 #: what a column is called of answers about the centre, where it has another name
 AS_CENTRED = {"A": "u_cr", "u_max": "A", "Omega_max": "Omega"}
-#: questions about the centre that many designs have
-CENTRED = frozenset(("at_rest", "certify", "second_approximation"))
 
 
 def _of_centred(found: Batch, name: str) -> Any:

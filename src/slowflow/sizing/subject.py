@@ -346,12 +346,12 @@ class _Batch:
             lowest = np.where(onsets.status == Status.NONE, math.inf, onsets.F_SN)
             # folds below it end at Omega = 0; under a load the onset is undecided then
             return np.where(getattr(onsets, "at_rest", False), np.nan, lowest)
-        if name == "F_cr" and isinstance(self.designs, OffCentreDesigns) and self.designs.excitation != "force":
+        if name == "F_cr" and "load" in self.designs.values and self.designs.excitation != "force":
             # where there is none it may be tended to as Omega rises, at what is not known of batches
             return np.asarray(self._ask(self.designs.detachment).F_cr)
         if name == "F_cr":
             return lifting(self.designs, self._ask(self.designs.detachment))
-        if name == "rest" and isinstance(self.designs, OffCentreDesigns):
+        if name == "rest" and "load" in self.designs.values:
             return np.sqrt(self._where_it_rests("stiffness"))
         if name == "stroke":
             peaks = self._ask(self.designs.peak, self.F_0)
