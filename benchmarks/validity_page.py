@@ -438,13 +438,13 @@ def page(numbers: dict[str, Any]) -> str:
     shares: Columns = {
         "motion": lambda cell: cell["motion"],
         "points": lambda cell: str(cell["points"]),
-        "force of the exact curve": lambda cell: cell["meant"],
+        "force of the exact curve: errors": lambda cell: cell["meant"],
         **spread,
     }
     motions = [
         {"motion": description, "meant": meant, **pool[kind][force]}
         for kind, description in (("moving", "without stops"), ("stopping", "with stops"))
-        for force, meant in (("truncated", "(6): error of one harmonic"), ("exact", "(5): the same and truncation"))
+        for force, meant in (("truncated", "truncated: one harmonic"), ("exact", "untruncated: one harmonic and truncation"))
     ]
     truncated = _largest(cell.get("A") for cell in numbers["truncation"])
     at_table_1 = _largest(
