@@ -444,7 +444,7 @@ def page(numbers: dict[str, Any]) -> str:
     motions = [
         {"motion": description, "meant": meant, **pool[kind][force]}
         for kind, description in (("moving", "without stops"), ("stopping", "with stops"))
-        for force, meant in (("truncated", "truncated: one harmonic"), ("exact", "untruncated: one harmonic and truncation"))
+        for force, meant in (("truncated", "truncated: one harmonic"), ("exact", "untruncated: harmonic, truncation"))
     ]
     truncated = _largest(cell.get("A") for cell in numbers["truncation"])
     at_table_1 = _largest(
