@@ -28,30 +28,35 @@ GROUPS = {
 U = 2.0**-53
 #: what is known of kernels that miss the target
 WHY = {
-    "rod_spring.F_A": "the errors of h and h_A are 0.3 u (1 + kappa), with kappa 20 and 21; in F_A these sensitivities "
-    "cancel, which leaves kappa = 1.2. With h and h_A rounded correctly, the error would be 0.74",
-    "rod_spring.fold_quartic": "the errors of h and h_A are 0.3 and 2.1 u (1 + kappa), with kappa 5 and 7; in the "
-    "coefficient h h_A the sensitivities have opposite signs, which leaves kappa = 1.3. With h and h_A rounded "
-    "correctly, the error would be 0.67",
+    "rod_spring.F_A": "h and h_A have errors of 0.3 u (1 + κ) with κ = 20 and 21. In F_A these sensitivities cancel, "
+    "so that F_A has only κ = 1.2. If h and h_A were rounded correctly, the error of F_A would be 0.74",
+    "rod_spring.fold_quartic": "h and h_A have errors of 0.3 and 2.1 u (1 + κ) with κ = 5 and 7. In the coefficient "
+    "h h_A their sensitivities have opposite signs, so that it has only κ = 1.3. If h and h_A were rounded correctly, "
+    "its error would be 0.67",
     "rod_spring.saddle_node_onset": "the coefficient of A^20 is a sum of seven products of both signs, each rounded "
-    "several times; the largest is 11 times the sum, their absolute values are 24 times the sum, and 1 + kappa is 17",
-    "rod_spring_untruncated.F_A": "as for rod_spring, the sensitivities of h and h_A cancel. A longer search found 5.6",
+    "several times. The largest product is 11 times the sum, the sum of absolute values 24 times",
+    "rod_spring_untruncated.F_A": "the sensitivities of h and h_A cancel, as for rod_spring. A longer search found 5.6",
     "rod_spring_untruncated.harmonics": "the fifth harmonic contains T_5 = 16 s^5 - 20 s^3 + 5 s, whose terms cancel",
-    "rod_spring_untruncated.stability": "far above u_cr and at low frequencies it is the product of two numbers near "
-    "-1 that hardly depend on the arguments: there are seven roundings of one u each, while kappa is near 0",
+    "rod_spring_untruncated.stability": "far above u_cr and at low frequencies the result is the product of two "
+    "numbers near -1 that hardly depend on the arguments. So κ is near 0, but there are seven roundings of one u each",
 }
 
 HEAD = """# Rounding errors: worst cases found by search
 
-Written by `make stress`. `benchmarks/results/stability.json` has all numbers and the exact points.
-`tests/averaged/test_stability.py` evaluates the worst points again; no error may grow.
+This page has the largest rounding errors that a search found, for kernels, roots, results and counts. *Kernels* are the
+functions from which results are computed, such as the averaged force h and the response F. `rod_spring` is the paper's
+isolator, `duffing` the cubic spring.
 
-Errors are in u (1 + κ), u = 2^-53, where κ is the relative condition number of a result in all its arguments: rounding
-each argument once, and the result once, may cause an error of this size. Each search starts from the worst of many
-random points and moves single coordinates, by ulps and by factors, while the error grows. So each error is a lower
-bound of the true maximum. The exact values are computed to 40 digits or more for kernels, by FLINT for roots, by
-Newton's method in 420 bits for answers, and by proof for counts. `rod_spring` is the paper's isolator, `duffing` the
-cubic spring.
+Errors are given in units of u (1 + κ), where u = 2^-53 is the unit roundoff and κ the relative condition number with
+respect to all arguments. Rounding each argument and the result once may cause an error of this size.
+
+Each search starts from the worst of many random points and changes one coordinate at a time, by ulps and by factors,
+while the error grows. The errors are therefore lower bounds of the true maxima. They are measured against exact values:
+for kernels computed to at least 40 digits, for roots by FLINT, for results by Newton's method in 420 bits, and for
+counts by proof.
+
+`make stress` writes the page. `benchmarks/results/stability.json` has all numbers and the exact points, and
+`tests/averaged/test_stability.py` checks that the errors at these points do not grow.
 """
 
 
@@ -123,14 +128,14 @@ ROOTS: Columns = {
 }
 ANSWERS: Columns = {
     "force": itemgetter("mechanism"),
-    "answer": itemgetter("kind"),
-    "answers": counted("answers"),
+    "result": itemgetter("kind"),
+    "cases": counted("answers"),
     "error / u(1+κ)": error(answers.TARGET),
     "1 + κ": condition,
     "no reference": counted("alone"),
 }
 COUNTS: Columns = {
-    "question": question,
+    "force, number of": question,
     "cases": counted("cases"),
     "wrong": lambda row: f"{len(row['wrong'])} of {decided(row):,}",
     "wrong next to a level": lambda row: f"{row['wrong beside']:,} of {row['beside'] - row['said beside']:,}",
@@ -142,9 +147,9 @@ COUNTS: Columns = {
     "not proved": counted("unproved"),
 }
 SCALE: Columns = {
-    "question": question,
+    "force, number of": question,
     "cases": counted("queries"),
-    "differ": counted("differ"),
+    "wrong": counted("differ"),
     "undecided": counted("undecided"),
     "not proved": counted("unproved"),
     "refused": counted("refused"),
@@ -198,10 +203,10 @@ def scale_lines(found: list[Numbers]) -> list[str]:
     return [
         "### Millions of cases against proofs in intervals",
         "",
-        "Here double precision is tested without ball arithmetic, over many decades of damping, with and without",
-        "friction; some frequencies lie next to folds. *Differ* counts numbers that are not the proved ones and are",
-        "not marked as undecided. For some of the cases under *not proved*, ball arithmetic was tried; it always",
-        "agrees (`tests/averaged/test_undecided.py`).",
+        "This table compares numbers in double precision with proofs in interval arithmetic, over many decades of",
+        "damping, with and without friction; some frequencies lie next to folds. *Wrong* counts numbers that differ",
+        "from the proved ones and are not marked as undecided. For cases that are *not proved*, a sample in ball",
+        "arithmetic agrees (`tests/averaged/test_undecided.py`).",
         "",
         *columns_of(SCALE, found),
         "",
@@ -291,18 +296,18 @@ def in_short(numbers: Numbers) -> list[str]:
     lines = [
         f"- **Kernels, target {kernels.TARGET:g} u (1 + κ)**: {len(found) - len(beyond)} of {len(found)} meet it; "
         + (f"{len(beyond)} miss it and are listed below." if beyond else "none misses it."),
-        f"- **Roots in Omega, target {roots.TARGET:g} u (1 + κ)**: the worst of {quartics:,} cases has "
+        f"- **Roots in Omega, target {roots.TARGET:g} u (1 + κ)**: the largest error of {quartics:,} cases is "
         f"{number(max(value(w['error']) for w in of_roots))}; {wrong_roots} cases have a wrong number of roots.",
-        f"- **Answers, target {answers.TARGET:g} u (1 + κ)**: {len(of_answers) - len(missed)} of {len(of_answers)} "
+        f"- **Results, target {answers.TARGET:g} u (1 + κ)**: {len(of_answers) - len(missed)} of {len(of_answers)} "
         f"kinds meet it{'; the others are marked below' if missed else ''}.",
-        f"- **Numbers of states and folds, target: none of 10^7 wrong**: of {cases:,} cases near forcings at which the "
-        f"number changes, {wrong:,} are wrong without being marked; {marked:,} ({marked / cases:.1%}) are marked as "
-        f"undecided in double precision. Ball arithmetic was tried on {balls:,} of these; {open_:,} stay undecided, "
-        f"{wrong_balls:,} are wrong. Of {many:,} further cases, {differ:,} differ from the proved number without being "
+        f"- **Numbers of states and folds, target: none of 10^7 wrong**: {cases:,} cases have forces next to those at "
+        f"which the number changes. Of these, {wrong:,} are wrong and not marked; {marked:,} ({marked / cases:.1%}) "
+        f"are marked as undecided in double precision. Ball arithmetic was tried on {balls:,} of the marked cases: "
+        f"{open_:,} stay undecided, {wrong_balls:,} are wrong. Of {many:,} further cases, {differ:,} are wrong and not "
         f"marked, {of_many:,} ({of_many / many:.1%}) are marked, and for {unproved:,} the proof fails.",
         f"- **Proofs, target 99 % of folds in double precision, in at most twice the time**: "
         f"{fraction(numbers['proofs'][0], 'folds', 'alone')} are proved, in {numbers['proofs'][0]['ratio']:.2f} times "
-        f"the time of `saddle_nodes` (median); with ball arithmetic {balls_fraction(numbers['proofs'][0])}.",
+        f"the time of `saddle_nodes` (median). With ball arithmetic, {balls_fraction(numbers['proofs'][0])}.",
     ]
     return lines
 
@@ -314,7 +319,7 @@ def page(numbers: Numbers) -> str:
     of_answers = merged(numbers["answers"])
     lines = [
         HEAD,
-        *environment_lines(numbers["environment"]),
+        "Environment: " + "".join(environment_lines(numbers["environment"])),
         "",
         "## Summary",
         "",
@@ -332,26 +337,25 @@ def page(numbers: Numbers) -> str:
         "",
         *(columns_of(KERNELS, missed) if missed else []),
         "",
-        *(f"- {name}: {WHY.get(name, 'the cause is not known')}." for name in map(kernel_name, missed)),
+        *(f"- `{name}`: {WHY.get(name, 'the cause is not known')}." for name in map(kernel_name, missed)),
         "",
-        "Arguments lie within the domain of the formula and the bounds of `benchmarks/stress/domains.py`. Points of",
-        f"{len(domains.LOCATIONS)} difficult kinds, which that file lists, are drawn on purpose: at an ulp from u_cr,",
-        "on the backbone, at cusps, with vanishing damping. The gradient kernels for oscillators with only",
-        "viscous damping and dry friction are not searched.",
+        "`benchmarks/stress/domains.py` has the bounds of the arguments. The search includes points of",
+        f"{len(domains.LOCATIONS)} difficult kinds, for example an ulp from u_cr, on the backbone, at cusps and with",
+        "vanishing damping. It does not include gradients with viscous damping and dry friction only.",
         "",
         "### At 1e±150 and subnormal numbers",
         "",
-        f"Here some arguments are {', '.join(f'{x:.3g}' for x in domains.EXTREME)}. {kept} of the {tried}",
-        "kernels tried keep their accuracy wherever the result is a normal double. In the others an intermediate",
-        "result overflows, or loses digits by underflow:",
+        f"Kernels were also tried with arguments of {', '.join(f'{x:.3g}' for x in domains.EXTREME)}. Of {tried}",
+        f"kernels, {kept} keep their accuracy wherever the result is a normal double. In the others, an intermediate",
+        "result overflows or loses digits by underflow:",
         "",
         *table(("kernel", "points beyond the target", "error / u(1+κ)", "worst point"), extreme),
         "",
         "### Proved bounds",
         "",
-        "For kernels that are polynomials, or polynomials over monomials, a bound can be proved for all arguments,",
-        "without overflow and underflow; the header of each generated function states it. The errors of other kernels",
-        "are only measured.",
+        "If a kernel is a polynomial, or a polynomial divided by a monomial, an error bound is proved for all",
+        "arguments without overflow and underflow. The header of the generated function states it. Errors of other",
+        "kernels are measured only.",
         "",
         "## Roots in Omega",
         "",
@@ -359,19 +363,21 @@ def page(numbers: Numbers) -> str:
         "",
         *(f"- *{kind}*: the {name}" for kind, name in roots.NAMES.items()),
         "",
-        "For double and triple roots, where kappa is infinite, only the number of roots is compared.",
+        "For double and triple roots κ is infinite, and only the number of roots is compared.",
         "",
         *columns_of(ROOTS, numbers["roots"]),
         "",
-        "## Answers",
+        "## Results",
         "",
         "![Errors of answers against condition](stability_answers.png)",
         "",
-        "κ is the condition number with respect to parameters and forcing, plus that with respect to kernel values.",
-        "*No reference* counts results for which Newton's method finds no exact solution within 1 %: with F_0 an ulp",
-        "above 4 mu/pi, at the peak of a curve with zeta of 1e-9 and less, and on the corner. A fold closer to u_cr",
-        "than doubles resolve is returned at a double next to u_cr, where A may miss the target.",
-        "Ranges: " + "; ".join(f"{name} {low:g} to {high:g}" for name, (low, high) in answers.BOUNDS.items()) + ".",
+        "κ is the condition number with respect to parameters and force, plus that with respect to the kernels.",
+        "The parameters have these ranges: ",
+        ", ".join(f"{name} {low:g} to {high:g}" for name, (low, high) in answers.BOUNDS.items()) + ".",
+        "",
+        "*No reference* counts results for which Newton's method finds no exact solution within 1 %. Their F_0 is an",
+        "ulp above 4 mu/pi, or they are peaks with zeta of 1e-9 or less, or results at the corner. A fold closer to",
+        "u_cr than doubles resolve is returned at a double next to u_cr, where A may miss the target.",
         "",
         *columns_of(ANSWERS, of_answers),
         "",
@@ -379,12 +385,13 @@ def page(numbers: Numbers) -> str:
         *unjudged_lines(of_answers),
         "## Numbers of states and folds",
         "",
-        "A level is a forcing at which the number of states or folds changes. The forcings lie between the levels and",
-        f"at relative distances of an ulp to 0.1 from them: {counts.FORCINGS['states']} at each frequency for states,",
-        f"{counts.FORCINGS['folds']} for each oscillator for folds, with zeta from 1e-4 to 0.5. *Next to a level*",
-        f"means within {counts.UNDECIDED:g} u (1 + κ) of it: rounding the arguments once may shift the level across",
-        "the forcing. Only numbers that are not marked as undecided count as *wrong*. Of the *undecided* ones",
-        f"{counts.ASKED_OF_BALLS:.0%}, drawn at random, were repeated in ball arithmetic.",
+        "A *level* is a force at which the number of states or folds changes. The tested forces lie between levels and",
+        f"at relative distances of an ulp to 0.1 from them: {counts.FORCINGS['states']} forces at each frequency for",
+        f"states and {counts.FORCINGS['folds']} for each oscillator for folds, with zeta from 1e-4 to 0.5.",
+        "",
+        f"*Next to a level* means within {counts.UNDECIDED:g} u (1 + κ) of it, where rounding the arguments once may",
+        "shift the level past the force. Numbers that are marked as undecided do not count as *wrong*; of these",
+        f"*undecided* ones, {counts.ASKED_OF_BALLS:.0%}, drawn at random, were repeated in ball arithmetic.",
         "",
         *columns_of(COUNTS, totals(numbers["counts"])),
         "",
@@ -420,7 +427,7 @@ def unjudged_lines(found: list[Numbers]) -> list[str]:
     ]
     if not rows:
         return []
-    return ["Answers that the oracle could not judge:", "", *table(("force", "answer", "why", "where"), rows), ""]
+    return ["Results without a reference value:", "", *table(("force", "answer", "why", "where"), rows), ""]
 
 
 def wrong_lines(numbers: Numbers) -> list[str]:
@@ -448,7 +455,7 @@ def balls_fraction(numbers: Numbers) -> str:
     total, proved = (
         sum(sum(found[name].values()) for found in numbers["families"].values()) for name in ("queries", "proved")
     )
-    return f"{proved:,} of {total:,} questions about hard cases are proved"
+    return f"{proved:,} of {total:,} hard cases are proved"
 
 
 def proof_lines(numbers: Numbers) -> list[str]:
@@ -470,27 +477,33 @@ def proof_lines(numbers: Numbers) -> list[str]:
     unproved = [row for found in families.values() for row in found["unproved"]]
     slowest = max(found["slowest"] for found in numbers["families"].values())
     lines = [
-        f"`Isolator.certify` was tried on {numbers['isolators']:,} random isolators, with intervals of doubles: 1 to",
-        f"{proofs.MOST_SPRINGS} springs, {drawn}, where *excess* is F_0/(4 mu/pi) - 1. The enclosures of A have a",
-        f"relative width of {numbers['width']:.2g} (median) and of {numbers['widest']:.2g} at most. The proof of",
-        f"Table 2 takes {1e3 * numbers['table_2']:.2g} ms. Undecided cases are repeated in ball arithmetic of 128 or",
-        f"512 bits by python-flint, which takes {slowest:.2g} s at most. In each of four families of hard cases one",
-        "parameter is extreme: delta_h up to 1 - 10^-16, delta_h down to 10^-12, alpha down to 10^-16, excess from",
-        "10^-16 to 10^-6. A fifth family has the untruncated force.",
+        f"`Isolator.certify` was tried on {numbers['isolators']:,} random isolators, first in interval arithmetic.",
+        "Cases left undecided were repeated in ball arithmetic of 128 or 512 bits by python-flint, which takes",
+        f"{slowest:.2g} s at most. The enclosures of A have a median relative width of {numbers['width']:.2g}, at most",
+        f"{numbers['widest']:.2g}. The proof of Table 2 takes {1e3 * numbers['table_2']:.2g} ms.",
         "",
-        *table(("isolators", *(f"{what}, by doubles" for what in proofs.QUESTIONS), "all, with balls"), by_family),
+        f"The isolators have 1 to {proofs.MOST_SPRINGS} springs, {drawn}, where *excess* is F_0/(4 mu/pi) - 1.",
+        "In each of four families of hard cases one parameter is extreme: delta_h up to 1 - 10^-16, delta_h down to",
+        "10^-12, alpha down to 10^-16, excess from 10^-16 to 10^-6. A fifth family has the untruncated force.",
+        "",
+        *table(("isolators", *(f"{what}, by intervals" for what in proofs.QUESTIONS), "all, with balls"), by_family),
         "",
         "Folds near F_SN, where two of them coincide within rounding:",
         "",
-        *table(("relative distance of F_0 from F_SN", "proved by doubles alone", "proved"), by_distance),
+        *table(("relative distance of F_0 from F_SN", "proved by intervals", "proved with balls"), by_distance),
         "",
     ]
     if numbers["others"]:
         head = ("isolator", "F_0", "found", "proved")
-        lines += ["Where another number of folds is proved than found:", "", *table(head, _rows(numbers["others"])), ""]
+        lines += [
+            "Cases in which the proved number of folds differs from the one found:",
+            "",
+            *table(head, _rows(numbers["others"])),
+            "",
+        ]
     if unproved:
         head = ("question", "isolator", "F_0", "why")
-        lines += ["Not proved, with what the answer says:", "", *table(head, _rows(unproved)), ""]
+        lines += ["Not proved:", "", *table(head, _rows(unproved)), ""]
     return lines
 
 
