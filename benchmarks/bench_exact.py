@@ -58,20 +58,20 @@ def jobs() -> list[Job]:
             lambda i: i.advance(system.force.pieces[0], drive, 0.3, -0.25, 0.0, 3.4),
         ),
         Job(
-            "one periodic motion with multipliers from the neighbouring one",
+            "one periodic motion with Floquet multipliers, from a neighbouring one",
             51,
             lambda: steady_state(system, near, Omega=0.9, F_0=0.04),
             lambda i: solved(replace(near, Omega=0.9, unknowns=np.append(near.unknowns[:-1], 0.9)), i),
         ),
         Job("curve of 300 points, stability, stops, folds", 3, lambda: exact_response(system, 0.04, step=0.0265)),
-        Job("the same without friction", 3, lambda: exact_response(free, 0.04, step=0.0265)),
+        Job("curve without friction", 3, lambda: exact_response(free, 0.04, step=0.0265)),
         Job(
-            "the same of the linear oscillator through ten stops, Omega from 0.07 to 0.5",
+            "curve of a linear oscillator with up to ten stops per period, Omega from 0.07 to 0.5",
             3,
             lambda: exact_response(stops, 1.0, Omega=(0.07, 0.5)),
         ),
         Job(
-            "200 periods of the forcing with all events",
+            "integration of 200 periods with all events",
             5,
             lambda: follow(forced, 0.0, 0.0, 0.0, 200 * TURN),
         ),
@@ -132,7 +132,7 @@ def one_frequency(exact: bool, rounds: int) -> list[Row]:
     off = [(state, (1.05 * state.A, 0.05 - float(state.unknowns[1]))) for state in states]
     residual = max(state.residual for state in (*states, top))
     return [
-        Row(f"{name}: one frequency from the neighbouring steady state, slowest of 6", slowest(near), "s"),
+        Row(f"{name}: one frequency, from a neighbouring steady state, slowest of 6", slowest(near), "s"),
         Row(f"{name}: one frequency from amplitude and phase 5 % off, slowest of 5", slowest(off), "s"),
         Row(f"{name}: residual of periodicity, largest of 6", residual, ""),
     ]
@@ -158,10 +158,10 @@ def whole_curve(exact: bool, rounds: int) -> list[Row]:
     at_folds = [i for i, point in enumerate(curve.states) if point.role == "fold"]
     multiplier = max(float(np.min(np.abs(curve.steady_state(i).half_multipliers - 1))) for i in at_folds)
     rows = [
-        Row(f"{name}: whole curve of {curve.Omega.size} points with both folds", seconds, "s"),
-        Row(f"{name}: the same, for 300 points", seconds * 300 / curve.Omega.size, "s"),
+        Row(f"{name}: curve of {curve.Omega.size} points with both folds", seconds, "s"),
+        Row(f"{name}: curve with both folds, time for 300 points", seconds * 300 / curve.Omega.size, "s"),
         Row(f"{name}: residual of periodicity, largest on the curve except where it touches u_cr", elsewhere, ""),
-        Row(f"{name}: the same where it touches u_cr", touching, ""),
+        Row(f"{name}: residual of periodicity where the curve touches u_cr", touching, ""),
         Row(f"{name}: folds (Omega, A) against a curve of a third of the step", by_step, ""),
         Row(f"{name}: |multiplier - 1| at the folds", multiplier, ""),
     ]

@@ -130,14 +130,14 @@ def folds_found(row: dict[str, Any]) -> str:
 MEASURED: Columns = {"job": itemgetter("job"), "median": lambda row: quantity(row["measured"], row["unit"])}
 SECTIONS = {
     "bench": Section(
-        "Time and error of each question", "", {**MEASURED, "comparison": comparison, "error": itemgetter("error")}
+        "Time and error of each function", "", {**MEASURED, "comparison": comparison, "error": itemgetter("error")}
     ),
     "peers": Section(
         "Other tools",
-        """Table 1 with F_0 = 0.04: the averaged response from Omega = 0.3 to 2 and both folds. The
-tools were measured alternately in one run; a tool measured earlier is compared with slowflow as measured then. A fold
-counts as found if its error is below 1 %, other reported folds as *elsewhere*; the error shown is the larger one of the
-folds found. Each tool runs in an environment of its own; `benchmarks/peers/` has an adapter for each.""",
+        """The task is the averaged response of Table 1's isolator with F_0 = 0.04, from Omega = 0.3 to 2, with
+its two folds. The tools ran in turn, each in its own environment; `benchmarks/peers/` has an adapter for each. A tool
+that was measured earlier is compared with the slowflow of that run. A fold counts as found if its error is below 1 %;
+other folds that a tool reports count as *elsewhere*. The last column has the larger error of the folds found.""",
         {
             "tool": tool,
             "variant": lambda row: row.get("variant", ""),
@@ -150,17 +150,17 @@ folds found. Each tool runs in an environment of its own; `benchmarks/peers/` ha
     ),
     "exact": Section(
         "The equation of motion",
-        """Exact motions of Table 1 with F_0 = 0.04 (`python -m benchmarks exact`), in processor time,
-compared with averaging and the second approximation.""",
+        """Processor times for exact motions of Table 1's isolator with F_0 = 0.04, compared with averaging and
+the second approximation (`python -m benchmarks exact`).""",
         MEASURED,
     ),
     "derive": Section(
         "Custom restoring forces",
-        """Forces given as SymPy expressions (`python -m benchmarks derive`), each in a separate process with an
-empty cache. Time is processor time, the compiler's included: Python's start with NumPy, SymPy and
-slowflow; `derive.mechanism`; the first folds, preparation included; and one later curve,
-`frequency_response`. Stops and the septic are derived in closed form; the soft stop, with tanh beyond its gap,
-is averaged by quadrature. Modules and templates are already compiled to bytecode.""",
+        """Processor times for forces that are SymPy expressions, each in a separate process with an empty cache
+(`python -m benchmarks derive`). The columns are: start of Python with NumPy, SymPy and slowflow; `derive.mechanism`,
+including the compiler; the first folds, including preparation; and a later response curve. Stops and the septic force
+are averaged in closed form; the soft stop, with tanh beyond its gap, is averaged by quadrature. Python modules and
+templates were already compiled to bytecode.""",
         {
             "force": itemgetter("force"),
             "solved": itemgetter("how"),
@@ -169,11 +169,12 @@ is averaged by quadrature. Modules and templates are already compiled to bytecod
     ),
     "grid": Section(
         "Maps in stores",
-        """Designs of the isolator over r, preload and mu, written block by block into a Zarr store on a local disk by
-one thread (`python -m benchmarks grid`), each map by a process of its own. Time is processor time. Before:
-memory before the first question. The peak grows with the size of a block, not with that of the map.""",
+        """Maps of isolators over r, preload and mu, written block by block into a Zarr store on a local disk
+(`python -m benchmarks grid`). Each map is computed by one thread of a separate process. Times are processor times. The
+column *before* has the memory used before the computation. The peak memory grows with the size of a block, not with
+that of the map.""",
         {
-            "question": itemgetter("question"),
+            "function": itemgetter("question"),
             "designs": lambda row: f"{row['designs']:.0e}".replace("e+0", "e"),
             "blocks": lambda row: str(row["blocks"]),
             "time": in_unit("processor"),
@@ -185,8 +186,8 @@ memory before the first question. The peak grows with the size of a block, not w
     ),
     "paper": Section(
         "The first run",
-        """In a fresh clone (`python -m benchmarks paper`): the first command
-of the README, and the same again when everything is built. Packages come from pip's index or its cache.""",
+        """The command `make paper` in a new clone, and again when everything is built
+(`python -m benchmarks paper`). Packages come from pip's index or its cache.""",
         {
             "command": itemgetter("step"),
             "time": in_unit("seconds"),
@@ -212,8 +213,9 @@ def section(name: str, found: dict[str, Any]) -> list[str]:
 
 def precision(found: dict[str, Any]) -> list[str]:
     """Tables of the work-precision diagram, and of the cost of stops."""
-    lines = ["## Error against time", "", *environment_lines(found["environment"]), ""]
-    lines += ["Case: Table 1 with F_0 = 0.04. Errors are relative, against values certified to 40 digits.", ""]
+    lines = ["## Error over computing time", "", *environment_lines(found["environment"]), ""]
+    lines += ["The tasks are for Table 1's isolator with F_0 = 0.04.", ""]
+    lines += ["Errors are relative, with respect to values certified to 40 digits.", ""]
     for scene in found["scenes"]:
         columns: Columns = {
             "method": lambda row: row["method"] + (f"; {row['earlier']}" if "earlier" in row else ""),
@@ -235,21 +237,23 @@ COSTS = """## Cost against size
 
 ## Cost against stops
 
-One periodic motion with its multipliers, started from the neighbouring one, by the number of stops per period:
-linear spring, mu = 0.2, F_0 = 1.
+The table has the time of one periodic motion with its Floquet multipliers, from a neighbouring motion, for a linear
+spring with mu = 0.2 and F_0 = 1.
 """
 HEAD = """# Benchmarks: speed, accuracy, other tools
 
-Written by `make bench`. Times are medians of processor time. The two tools of a comparison were measured alternately in
-one run, unless the row says otherwise. Tables come from different runs: the same job may take a quarter longer in one
-than in another. Errors are relative, or in u (1 + κ), u = 2^-53, with the condition number κ.
-[Further measurements](../benchmarks/results/README.md) have errors against time in numbers, exact motions, custom
-forces and maps.
+This page compares the speed and accuracy of slowflow with other tools. Times are medians of processor time. Tools that
+are compared ran in turn, unless the row states otherwise. The tables come from different runs, so the same task may
+take a quarter longer in one than in another.
+
+Errors are relative, or in units of u (1 + κ), where u = 2^-53 and κ is the relative condition number. `make bench`
+writes the page. [Further measurements](../benchmarks/results/README.md) cover exact motions, custom forces, maps and
+the numbers of the work-precision diagram.
 """
 DETAILS = """# Further measurements
 
-Written by `make bench`, from the JSON files in this folder. [For users](../../docs/benchmarks.md); [what limited the
-speed when it was last analysed](history.md).
+`make bench` writes this page from the JSON files in the folder. [Benchmarks](../../docs/benchmarks.md) is the page for
+users; [history](history.md) explains what limits the speed.
 """
 
 
@@ -262,7 +266,7 @@ def users(found: dict[str, Any]) -> str:
         ways = dict.fromkeys((row["peer"], row["what"]) for row in found["peers"]["rows"])
         lines += ["Methods:", "", *(f"- {peer}: {what}." for peer, what in ways), ""]
     if "work_precision" in found:
-        lines += ["## Error against time", "", "![Error against time](work_precision.png)", ""]
+        lines += ["## Error over computing time", "", "![Error over computing time](work_precision.png)", ""]
     return "\n".join(lines)
 
 

@@ -104,9 +104,9 @@ def quartics(size: Size) -> list[Row]:
         theirs = found[name][family].seconds
         rows.append(
             Row(
-                f"{job}: time of {name} over slowflow's, smallest of {len(ours)} families",
+                f"{job}: time of {name} relative to slowflow, smallest of {len(ours)} families",
                 *(theirs / ours[family].seconds, "×", f"{quantity(theirs, 's')} ({family})"),
-                f"theirs {max(result.error for result in found[name].values()):.2g} u(1+κ), {wrong(name)}",
+                f"other tool {max(result.error for result in found[name].values()):.2g} u(1+κ), {wrong(name)}",
             )
         )
     return rows
@@ -127,9 +127,9 @@ def kernels(size: Size) -> list[Row]:
         rows += [
             Row(f"H and H′, {regime}, per point{slow}", slowest.seconds, "s", "", f"{error:.2g} u(1+κ)"),
             Row(
-                f"H and H′, {regime}: time of lambdify(cse=True) over slowflow's{least}",
-                *(ratios[0], "×", f"{between}; theirs {quantity(slowest.by_sympy, 's')}"),
-                f"theirs {theirs:.2g} u(1+κ)",
+                f"H and H′, {regime}: time of lambdify(cse=True) relative to slowflow{least}",
+                *(ratios[0], "×", f"{between}; lambdify {quantity(slowest.by_sympy, 's')}"),
+                f"lambdify {theirs:.2g} u(1+κ)",
             ),
         ]
     return rows
@@ -168,7 +168,7 @@ def curves(size: Size) -> list[Row]:
     on_locus = max(table_1.fold_error(Omega, A) for Omega, A in locus["found"])
     return [
         Row(
-            f"whole response curve, {curve['points']} points, stability, folds",
+            f"response curve with stability and folds, {curve['points']} points",
             *(curve["seconds"], "s", "", f"folds {folds:.1e} relative"),
         ),
         Row(
@@ -185,7 +185,7 @@ def batches(size: Size) -> list[Row]:
         ("F_cr and Ω_cr", f"detachment | {size.detachments}", size.detachments, "detachment", known.detachment),
         ("F_SN with (Ω, A)", f"saddle_node_onset | {size.designs}", size.designs, "onset", known.onset),
     )
-    questions = {"saddle_nodes": "every fold at F_0", "peak": "highest peak at F_0", "amplitudes": "states at (Ω, F_0)"}
+    questions = {"saddle_nodes": "folds at F_0", "peak": "peak at F_0", "amplitudes": "states at (Ω, F_0)"}
     drawn = min(size.designs, CURVES)
     drawing = f"random | frequency_response | {drawn}"
     names = [f"{kind} | {batch}" for kind in ("random", "Table 1") for _, batch, *_ in critical]
@@ -206,8 +206,8 @@ def batches(size: Size) -> list[Row]:
     for question, title in questions.items():
         seconds = answers[f"random | {question} | {size.designs}"]["seconds"]
         rows.append(Row(f"{title}, {size.designs} random designs, one core", size.designs / seconds, "per second"))
-    title = f"whole curves of {drawn} random designs, 1000 points, stability, folds, one core"
-    single = f"one at a time {rate(1, answers['curve']['seconds'])}"
+    title = f"response curves with stability and folds, {drawn} random designs, 1000 points each, one core"
+    single = f"single calls {rate(1, answers['curve']['seconds'])}"
     return [*rows, Row(title, drawn / answers[drawing]["seconds"], "per second", single)]
 
 
@@ -261,7 +261,7 @@ def gradients(size: Size) -> list[Row]:
             ratios[question] = float(np.median(differentiating) / np.median(answering))
         each = ", ".join(f"{question} {ratio:.2g} ×" for question, ratio in ratios.items())
         rows.append(
-            Row(f"time of a gradient over that of its result, {where}, largest", max(ratios.values()), "×", each)
+            Row(f"time of a gradient relative to its result, {where}, largest ratio", max(ratios.values()), "×", each)
         )
     return rows
 
@@ -297,17 +297,17 @@ def motions(size: Size) -> list[Row]:
     check(residual <= 1e-12 and error <= 1e-13, "the exact curve of Table 1")
     return [
         *bench_exact.by_job(5 * size.rounds),
-        Row("exact: error of an averaged result by the equation of motion, per state", per_state, "s"),
-        Row("exact: first answer of a fresh process, import included", footprint.answering(), "s"),
+        Row("exact: error of an averaged state by `.measure()`", per_state, "s"),
+        Row("exact: first result of a new process, import included", footprint.answering(), "s"),
         Row("exact: residual of periodicity, largest on the curve", residual, ""),
-        Row("exact: Omega of the folds against 40 digits", error, ""),
+        Row("exact: error of the fold frequencies, against 40 digits", error, ""),
     ]
 
 
 def starting(size: Size) -> list[Row]:
     """The import."""
     ours, numpy = footprint.importing(size.imports)
-    return [Row("import of slowflow, without that of NumPy", ours, "s", f"NumPy {quantity(numpy, 's')}")]
+    return [Row("import of slowflow, without the import of NumPy", ours, "s", f"NumPy {quantity(numpy, 's')}")]
 
 
 def remembering(size: Size) -> list[Row]:
@@ -316,8 +316,8 @@ def remembering(size: Size) -> list[Row]:
     megabytes: Callable[[float], str] = lambda size: quantity(size / 1e6, "MB")  # noqa: E731
     return [
         Row(
-            f"memory of a batch of {size.memory:.0e} designs, beyond inputs and answers",
-            *(whole / 1e6, "MB", f"a tenth of the designs {megabytes(tenth)}; answers {megabytes(answers)}"),
+            f"memory of a batch of {size.memory:.0e} designs, besides arguments and results",
+            *(whole / 1e6, "MB", f"with a tenth of the designs {megabytes(tenth)}; results {megabytes(answers)}"),
         )
     ]
 

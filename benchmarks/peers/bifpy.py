@@ -3,7 +3,7 @@
 NAME = "AUTO-07p via bifpy"
 PACKAGES = ("bifpy",)
 PROGRAMS = ("gfortran", "make")
-WHAT = "continuation of the slow flow's equilibria, its own fold detection"
+WHAT = "continuation of the equilibria of the slow flow, with the tool's fold detection"
 
 STEPS = {"large steps": (0.005, 0.01), "small steps": (0.001, 0.003)}
 

@@ -6,7 +6,7 @@ where such a walk leaves its branch, told by a step of the amplitude or by a sol
 
 NAME = "mousai"
 PACKAGES = ("mousai",)
-WHAT = "frequencies one at a time, up and down; folds where the amplitude steps"
+WHAT = "solutions at single frequencies, upward and downward; folds where the amplitude jumps"
 
 STEPS = {"large steps": 0.01, "small steps": 0.003}
 

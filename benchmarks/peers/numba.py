@@ -2,7 +2,7 @@
 
 NAME = "numba"
 PACKAGES = ("numba", "scipy")  # numba's linear algebra calls SciPy's LAPACK
-WHAT = "np.roots of the expanded quartic at each amplitude, F_A bisected along each branch"
+WHAT = "np.roots of the expanded quartic at each amplitude; F_A bisected along each branch"
 
 
 def prepare():

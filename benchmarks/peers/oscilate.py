@@ -6,7 +6,7 @@ the attached springs without friction, which is another oscillator. What it deri
 
 NAME = "OSCILATE"
 PACKAGES = ("oscilate",)
-WHAT = "derives the slow flow of the attached springs, without friction; frequencies from its formula"
+WHAT = "derives the slow flow with attached springs and without friction; frequencies from its formula"
 
 #: amplitudes at which the formula is evaluated
 SAMPLES = 300

@@ -5,7 +5,7 @@ It asks these only for parse trees of symbolic derivatives, which are not used h
 
 NAME = "PyDSTool"
 PACKAGES = ("PyDSTool", "numpy<1.24", "scipy<1.10")
-WHAT = "continuation of the slow flow's equilibria, its own fold detection"
+WHAT = "continuation of the equilibria of the slow flow, with the tool's fold detection"
 
 STEPS = {"large steps": 0.01, "small steps": 0.003}
 

@@ -5,7 +5,7 @@ It has no fold detection: folds are the turning points of a parabola through the
 
 NAME = "pyHarm-os"
 PACKAGES = ("pyHarm-os",)
-WHAT = "continuation of one harmonic; folds interpolated between its points"
+WHAT = "continuation with one harmonic; folds interpolated between points of the curve"
 
 STEPS = {"large steps": 0.01, "small steps": 0.003}
 

@@ -2,7 +2,7 @@
 
 NAME = "SciPy"
 PACKAGES = ("numpy", "scipy")
-WHAT = "sweeps up and down, the unstable branch not found"
+WHAT = "sweeps up and down; the unstable branch is not found"
 
 
 def prepare():

@@ -2,7 +2,7 @@
 
 NAME = "slowflow"
 PACKAGES = ()
-WHAT = "whole curve with stability and folds, one call; F_A = 0 solved by level crossing"
+WHAT = "response curve with stability and folds in one call"
 
 
 def prepare():
