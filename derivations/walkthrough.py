@@ -26,12 +26,13 @@ from .results import derive
 
 BEGIN = f"""# The derivation, equation by equation
 
-From the equation of motion (1) to the forcing F_SN = 0.0217 at which jumps begin. Paper: {CITATION}.
+These pages derive the equations of the paper, from the equation of motion (1) to the force F_SN = 0.0217 at which jumps
+begin. The paper is {CITATION}.
 
-Each equation is shown as published, then as derived if the form differs, with a verdict. A proof writes published minus
-derived as a quotient of polynomials over the rationals, by sin² + cos² = 1 and (√e)² = e; the two agree if the
-numerator is the zero polynomial. `ledger/published.py` is the paper, typed by hand, errors included; it shares nothing
-with the derivation.
+Each equation is shown as published, and also as derived if the form differs. The verdict in bold states whether both
+agree. In a proof, published minus derived is written as a quotient of polynomials over the rationals, with the
+relations sin² + cos² = 1 and (√e)² = e. The equations agree if the numerator is the zero polynomial. The published
+equations are typed by hand, including errors, in `ledger/published.py`, which shares nothing with the derivation.
 """
 
 
@@ -49,95 +50,101 @@ SECTIONS = (
         "The oscillator",
         "equation_of_motion",
         {
-            "(1)": "A mass m on a vertical spring k_v with viscous damping c, dry friction F_c and a harmonic force.",
-            "(2)": "λ springs of stiffness k_h, compressed by Δh, push horizontally on a rod of length L. They leave "
-            "the rod where they reach their free length.",
-            "(3)": "(1) with x = L u and time in 1/ω_n, over k_v L.",
-            "(4)": "Definitions of the quantities in (3).",
-            "(5)": "(2) over k_v L, and the u at which the springs detach.",
-            "(6)": "The Taylor polynomial of fifth order of (5) up to u_cr. It does not vanish there: the force jumps.",
-            "(7)": "Its coefficients: derivatives of (5) at u = 0.",
+            "(1)": "The equation of motion of a mass m on a vertical spring k_v with viscous damping c, dry friction "
+            "F_c and a harmonic force.",
+            "(2)": "The force of λ springs of stiffness k_h, compressed by Δh, that push horizontally on a rod of "
+            "length L. They detach from the rod when they reach their free length.",
+            "(3)": "Equation (1) with x = L u and the time in units of 1/ω_n, divided by k_v L.",
+            "(4)": "The definitions of the quantities in (3).",
+            "(5)": "The force (2) divided by k_v L, and the displacement u at which the springs detach.",
+            "(6)": "The Taylor polynomial of fifth order of (5) up to u_cr. It is not zero there, so the force jumps.",
+            "(7)": "The coefficients of (6) are derivatives of (5) at u = 0.",
         },
     ),
     Section(
         "Averaging",
         "averaging",
         {
-            "(8)": "(3) with small damping, friction, force and nonlinearity, near Ω = 1.",
-            "(9)": "The small terms: all except inertia and Ω²u.",
-            "(10)": "The scale ε: barred numbers are ε times those without a bar, and Ω² = 1 + εσ.",
-            "text after (10)": "G is periodic in τ.",
-            "(11)": "The motion that is assumed: a cosine whose amplitude and phase vary slowly.",
-            "text after (11)": "The angle of this motion.",
-            "(12)": "The derivative of u = A cos ψ, with A' and φ'.",
+            "(8)": "Equation (3) with small damping, friction, force and nonlinearity, near Ω = 1.",
+            "(9)": "The small terms of (8) are all terms except the inertia term and Ω²u.",
+            "(10)": "The small parameter ε: quantities with a bar are ε times those without, and Ω² = 1 + εσ.",
+            "text after (10)": "The small terms G are periodic in τ, with the period T.",
+            "(11)": "The assumed motion is a cosine whose amplitude and phase vary slowly.",
+            "text after (11)": "The angle ψ of this motion.",
+            "(12)": "The derivative of u = A cos ψ, with slowly varying A and φ.",
             "(13)": "The condition for (12) to take the form of (11).",
             "(14)": "The derivative of u' = −AΩ sin ψ.",
-            "(15)": "(14) inserted into (8).",
-            "(16)": "(13) and (15), linear in A' and Aφ'.",
+            "(15)": "Equation (8) after insertion of (14).",
+            "(16)": "Equations (13) and (15) are linear in A' and Aφ'.",
             "(17)": "The solution of (16).",
-            "(18)": "A and φ change little in a cycle: the right sides are replaced by their means over it.",
-            "(19)": "The integrals of (18). u' changes its sign at ψ = π, so friction is integrated over half-cycles: "
-            "the mean of −μ sign(u') sin ψ is that of μ|sin ψ|. From here on ε = 1.",
+            "(18)": "A and φ change little during a cycle, so the right-hand sides are replaced by their means over a "
+            "cycle.",
+            "(19)": "The integrals of (18). Friction is integrated over half-cycles, because u' changes its sign at "
+            "ψ = π: the mean of −μ sign(u') sin ψ equals that of μ|sin ψ|. From here on ε = 1.",
         },
     ),
     Section(
         "The averaged restoring force",
         "restoring_force",
         {
-            "(20)": "The contribution of the mechanism to (19), a function of the amplitude. In (19), (21) "
+            "(20)": "The contribution of the horizontal springs to (19), a function of the amplitude. In (19), (21) "
             "and (22) its prefactor is −1/π.",
-            "(21)": "A ≤ u_cr: the springs never detach, ∫cos^(n+1) over the cycle.",
-            "text before (22)": "A > u_cr: the springs detach twice a cycle, at u = ±u_cr.",
-            "(22)": "The same integral over the intervals in which |u| < u_cr.",
+            "(21)": "The integral (20) for A ≤ u_cr. The springs never detach, so powers of the cosine are integrated "
+            "over the whole cycle.",
+            "text before (22)": "For A > u_cr the springs detach twice in a cycle, at u = ±u_cr. ψ_0 is the angle at "
+            "which u = u_cr.",
+            "(22)": "The integral (20) for A > u_cr, over the intervals in which |u| < u_cr.",
         },
     ),
     Section(
         "The slow flow",
         "slow_flow",
         {
-            "(23)": "The fixed points of (19), A' = φ' = 0. With H = h + A these are I + F_0 sin φ = 0 and "
-            "R + F_0 cos φ = 0, R = AΩ² + h, I = 2ζAΩ + 4μ/π.",
-            "(24)": "sin² + cos² = 1 eliminates φ: R² + I² = F_0². The unexpanded form keeps the digits "
-            "that cancel in the expanded one.",
-            "(25)": "The quotient of both equations of (23).",
-            "(26)": "cos φ = 0: R = 0.",
-            "(27)": "sin φ = −1: I = F_0.",
-            "text after (27)": "Where A_L = 0; below this force the mass sticks.",
+            "(23)": "The fixed points of (19), A' = φ' = 0. With H = h + A, R = AΩ² + h and I = 2ζAΩ + 4μ/π, they "
+            "satisfy I + F_0 sin φ = 0 and R + F_0 cos φ = 0.",
+            "(24)": "The response: sin² + cos² = 1 eliminates φ, which gives R² + I² = F_0². The derived form is not "
+            "expanded, as digits cancel in the expanded form.",
+            "(25)": "The phase: the quotient of both equations of (23).",
+            "(26)": "The backbone: cos φ = 0, thus R = 0.",
+            "(27)": "The limit envelope: sin φ = −1, thus I = F_0.",
+            "text after (27)": "The force at which A_L = 0. Below this force the mass sticks.",
         },
     ),
     Section(
         "Stability",
         "slow_flow",
         {
-            "(28)": "(19) differentiated with respect to A and φ; sin φ and cos φ from (23).",
-            "(29)": "Its eigenvalues. The trace is negative, so a fixed point is stable where the determinant is "
-            "positive.",
-            "(30)": "4Ω² det D_qΓ = F_A/(2A): the boundary of stability is where the response has a vertical tangent.",
-            "(31)": "The derivative of H_2 that (30) needs, taken under the integral (20); the moving limits of "
-            "integration add the jump of the force.",
-            "(32)": "Abbreviations of (31).",
+            "(28)": "The Jacobian: (19) differentiated with respect to A and φ, with sin φ and cos φ from (23).",
+            "(29)": "The eigenvalues of the Jacobian. Its trace is negative, so a fixed point is stable if the "
+            "determinant is positive.",
+            "(30)": "The boundary of stability. Since 4Ω² det D_qΓ = F_A/(2A), the response has a vertical tangent "
+            "there.",
+            "(31)": "The derivative of H_2 in (30), taken under the integral (20). The limits of integration depend on "
+            "A, which adds the jump of the force.",
+            "(32)": "Abbreviations used in (31).",
         },
     ),
     Section(
         "Critical forcings",
         "critical_forcings",
         {
-            "(33)": "Two folds are born where F_A = F_AA = 0. Both are polynomials in Ω and A while A ≤ u_cr: the "
-            "resultant eliminates Ω. Its roots are candidates, to be checked in both equations.",
-            "(34)": "The least force that reaches A = u_cr: F = F_Ω = 0 there, again by the resultant in Ω.",
-            "text after (34)": "The preload at which the stiffness α vanishes.",
+            "(33)": "The onset: two folds appear where F_A = F_AA = 0. For A ≤ u_cr both are polynomials in Ω and A, "
+            "and the resultant eliminates Ω. Its roots are candidates, which must be checked in both equations.",
+            "(34)": "Detachment: at the lowest force that reaches A = u_cr, F = F_Ω = 0. The resultant eliminates Ω.",
+            "text after (34)": "The preload at which the stiffness α is zero.",
         },
     ),
     Section(
         "Den Hartog's solution, equivalent damping",
         "den_hartog",
         {
-            "(35)": "Without horizontal springs and viscous damping, the motion between two turning points is linear: "
-            "four conditions at its ends give its four constants.",
-            "(36)": "Above this amplitude the mass does not stop within the half-cycle: u' < 0 throughout.",
+            "(35)": "Den Hartog's amplitude. Without horizontal springs and viscous damping, the motion between two "
+            "turning points is linear, and four conditions at its ends give its four constants.",
+            "(36)": "The least amplitude at which the mass does not stop within the half-cycle, so that u' < 0 "
+            "throughout.",
             "(37)": "The functions in (35) and (36).",
-            "text of Section 4.1": "The sticking condition as a ratio.",
-            "(38)": "The viscous damping ratio with the same dissipative term in (23).",
+            "text of Section 4.1": "The sticking condition as a ratio of friction to force.",
+            "(38)": "The viscous damping ratio that has the dissipative term of (23).",
             "text of Section 4.2": "The limit of (34) as the preload, and with it u_cr, tends to 0.",
         },
     ),
@@ -292,7 +299,12 @@ def symbols(expression: sp.Expr) -> str:
 def numbers(facts: Facts) -> Iterator[str]:
     """What the equations give for the isolator of Table 1, published and derived, and Table 2."""
     rows = entries.number_rows(facts)
-    yield from ("## 8. The numbers", "", "Derived values are certified to the digits shown, for Table 1:", "")
+    yield from (
+        "## 8. The numbers",
+        "",
+        "Derived values are certified to the digits shown. The parameters are those of Table 1:",
+        "",
+    )
     table = ", ".join(f"${latex(sp.Symbol(name))} = {value}$" for name, value in facts.published.TABLE_1.items())
     yield from (table + ".", "", "| number | published | derived | verdict |", "|---|---|---|---|")
     for name in NUMBERS:
@@ -300,7 +312,7 @@ def numbers(facts: Facts) -> Iterator[str]:
         yield f"| ${latex(sp.Symbol(name))}$ | {row.published} | {row.derived} | {row.verdict} |"
     yield from (
         "",
-        "Table 2: frequency and amplitude of the jumps up and down, published, then derived.",
+        "Table 2 has the frequencies and amplitudes of the jumps. Each cell has the published and the derived value.",
         "",
     )
     yield from ("| F_0 | jump-up Ω | jump-up A | jump-down Ω | jump-down A |", "|---|---|---|---|---|")
@@ -309,7 +321,7 @@ def numbers(facts: Facts) -> Iterator[str]:
         yield f"| {' | '.join(cells)} |"
     yield from (
         "",
-        "The ledger explains why some printed numbers differ; it also has (A1), (A2) and every sentence.",
+        "The ledger explains why some numbers differ. It also has (A1), (A2) and all sentences of the paper.",
     )
 
 

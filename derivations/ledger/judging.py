@@ -58,10 +58,10 @@ def _compare(published: sp.Expr, derived: sp.Expr, subject: Subject) -> tuple[Qu
     if subject.how == formulas.DIFFERENCE:
         return canonical(published - derived), ""
     if subject.how == formulas.COSINES:
-        return canonical(sp.cos(published) - sp.cos(derived)), "comparison of cosines, both angles being in [0, π]"
+        return canonical(sp.cos(published) - sp.cos(derived)), "comparison of cosines, as both angles are in [0, π]"
     if published.subs(subject.sample).is_negative is not False:
         return canonical(published - derived), ""
-    return canonical(published**2 - derived**2), "comparison of squares, both sides being positive"
+    return canonical(published**2 - derived**2), "comparison of squares, as both sides are positive"
 
 
 def _factor(published: list[sp.Expr], derived: list[sp.Expr]) -> str:
@@ -98,7 +98,7 @@ def _judge_form(
         differences.append(quotient)
         used |= set(quotient.relations) | ({rewriting} if rewriting else set())
     if all(quotient.is_zero for quotient in differences):
-        by = f"By {'; '.join(sorted(used))}." if used else ""
+        by = f"Rewriting: {'; '.join(sorted(used))}." if used else ""
         return replace(judged, verdict=REWRITTEN if used else IDENTICAL, evidence=by)
     factor = _factor(published, derived) if subject.how == formulas.DIFFERENCE else ""
     prefix = {formulas.SQUARES: "of the squares: ", formulas.COSINES: "of the cosines: "}.get(subject.how, "")

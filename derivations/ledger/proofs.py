@@ -22,7 +22,7 @@ from . import balls
 
 PYTHAGORAS = "sin²x + cos²x = 1"
 ROOT = "(√e)² = e"
-MULTIPLES = "expressing multiple angles by the smallest one"
+MULTIPLES = "multiple angles expressed by the smallest one"
 
 
 @dataclass(frozen=True)

@@ -20,17 +20,17 @@ DEFINITION = "definition"
 
 #: what each verdict says, in the order of the summary
 VOCABULARY: dict[str, str] = {
-    IDENTICAL: "formulas: the same expression up to the order of terms, proved; numbers: the derived value rounds to "
-    "the printed digits",
-    REWRITTEN: "proved equal over the rationals with the relations named in the row",
+    IDENTICAL: "formulas are proved to be the same expression up to the order of terms; for numbers, the derived value "
+    "rounds to the printed digits",
+    REWRITTEN: "formulas are proved equal over the rationals with the relations named in the row",
     DIFFERS: "the exact difference is not zero, or the printed digits are not the rounding of the derived value",
-    AMBIGUOUS: "our plain-text copy of the paper lost a sign or a bracket; of the possible readings another one is "
-    "proved, and this one differs",
-    INPUT: "a value that the author chose: nothing to derive",
+    AMBIGUOUS: "our plain-text copy of the paper lost a sign or a bracket; this reading differs, and another one is "
+    "proved",
+    INPUT: "a value that the author chose, so that there is nothing to derive",
     TRUE: "the sentence holds, by the evidence given",
     FALSE: "the sentence does not hold, by the evidence given",
-    LOOSE: "holds only with a condition, or in a sense, that the sentence does not state",
-    DEFINITION: "introduces a name, a convention or a choice of method: nothing to decide",
+    LOOSE: "the sentence holds only with a condition, or in a sense, that it does not state",
+    DEFINITION: "the sentence introduces a name, a convention or a choice of method: there is nothing to decide",
 }
 
 #: the kinds of rows, with the verdicts that each may have

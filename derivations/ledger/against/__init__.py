@@ -36,13 +36,13 @@ APPROXIMATE = "approximate"
 
 #: what each verdict says, in the order of the summary
 VOCABULARY = {
-    IDENTICAL: "the same expression up to the order of terms, proved",
-    REWRITTEN: "proved equal with the relations named in the row",
-    APPROXIMATE: "the publication gives it as an approximation; the row has its error, from certified values",
-    DIFFERS: "the exact difference, which is shown, is not zero",
+    IDENTICAL: "formulas are proved to be the same expression up to the order of terms",
+    REWRITTEN: "formulas are proved equal with the relations named in the row",
+    APPROXIMATE: "the published formula is an approximation; the row has its error, from certified values",
+    DIFFERS: "the exact difference is not zero; the row has it",
     TRUE: "the sentence holds, by the proof or the certified value given",
-    LOOSE: "holds only with a condition that is not stated",
-    FALSE: "does not hold, by the proof given",
+    LOOSE: "the sentence holds only with a condition that it does not state",
+    FALSE: "the sentence does not hold, by the proof given",
 }
 
 
