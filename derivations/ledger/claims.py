@@ -127,8 +127,8 @@ def section_3_1(facts: Facts) -> Verdicts:
             "excitation's amplitude is insufficient, not its frequency.",
         },
         FALSE: {
-            "numerical_only": "(24) is a depressed quartic in Ω, which radicals solve for any μ. And with ζ = 0 its "
-            "only odd term, 16μζAΩ/π, vanishes: then it is quadratic in Ω² for every μ.",
+            "numerical_only": "(24) is a depressed quartic in Ω, which has a solution in radicals for any μ. With ζ = "
+            "0 its only odd term, 16μζAΩ/π, vanishes, so that it is quadratic in Ω² for any μ.",
         },
     }
 
@@ -162,10 +162,10 @@ def section_3_2(facts: Facts) -> Verdicts:
             "friction_without_zeta": "μ is in (30) only in 8ζμΩ/(πA), which vanishes with ζ.",
         },
         FALSE: {
-            "trace_negative": "A negative trace bounds the sum of the eigenvalues, not each: where det < 0, which (30) "
-            f"detects, one is positive. {found}",
-            "imaginary_eigenvalue": "At a saddle node det = 0: the eigenvalues are 0 and tr. A purely imaginary pair "
-            "would be a Hopf bifurcation, which the preceding sentence excludes.",
+            "trace_negative": "A negative trace means that the sum of the eigenvalues is negative. If det < 0, one of "
+            f"them is positive; (30) detects this. {found}",
+            "imaginary_eigenvalue": "At a saddle node det = 0, so the eigenvalues are 0 and tr. A purely imaginary "
+            "pair would be a Hopf bifurcation, which the preceding sentence excludes.",
         },
     }
 
@@ -225,9 +225,9 @@ def section_3_3(facts: Facts) -> Verdicts:
             "one_positive_root": f"(33) has two positive real roots with Table 1, A = {significant(roots[0])} and "
             f"{significant(roots[1])}.",
             "minimum_root": f"The least positive root with Table 1 is A = {significant(least)}. There F_A and F_AA "
-            f"vanish together at Ω = {significant(negative)} < 0 only: not a point of the response. A_s = "
-            f"{significant(onset.A)} is the second root. The least root is spurious for {len(others)} other isolators "
-            "too.",
+            f"vanish together only at the negative frequency Ω = {significant(negative)}, so this root is not a point "
+            f"of the response. A_s = {significant(onset.A)} is the second root. The least root is also spurious for "
+            f"{len(others)} other isolators.",
         },
     }
 
@@ -312,14 +312,14 @@ def section_4_2(facts: Facts) -> Verdicts:
             f"0.05 raises F_cr by {gain_text} of the quasi-zero-stiffness preload.",
         },
         FALSE: {
-            "r_only_method": "u_cr depends on δ_h only, and λ and r enter (5) only as the product λr: the number of "
-            "horizontal springs λ does the same.",
-            "zeta_eq_near_resonance": "Friction's part of (38) over ζ at the resonance peaks of the paper's own "
-            "example is "
+            "r_only_method": "u_cr depends on δ_h only, and λ and r enter (5) only as the product λr. So the number of "
+            "horizontal springs λ also changes the stiffness at a fixed u_cr.",
+            "zeta_eq_near_resonance": "At the resonance peaks of the paper's example, the contribution of friction to "
+            "(38), divided by ζ, is "
             + ", ".join(f"{few(fraction)} at {label}" for label, fraction in shares.items())
-            + ": smaller than elsewhere, not negligible.",
-            "F_cr_limit": "F_cr → 4μ/π: m ≤ F_cr ≤ m + 2ζu_cr√(−h/u_cr), m = 4μ/π, and u_cr → 0. πμ/4 is 4μ/π times "
-            "π²/16 = 0.617, and lies in the sticking region, which no F_cr can reach.",
+            + ". This is less than away from resonance, but not negligible.",
+            "F_cr_limit": "With m = 4μ/π, m ≤ F_cr ≤ m + 2ζu_cr√(−h/u_cr). As u_cr → 0, F_cr → 4μ/π. πμ/4 is less, by "
+            "the factor π²/16 = 0.617, and lies in the sticking region, which no F_cr can reach.",
         },
     }
 

@@ -176,9 +176,9 @@ def _omega_cr(facts: Facts) -> str:
     fold, at = facts.fold("0.0300", "jump-down"), facts.example.detachment
     other = facts.example.frequencies(facts.example.u_cr, arb("0.03003"))[-1]
     return (
-        f"At (Ω_cr, u_cr) the forcing is least, {significant(at.F_0)}. 0.9288 is the frequency of the jump-down fold "
-        f"at F_0 = 0.0300, {significant(fold.Omega)}, where A = {significant(fold.A)}, as in Table 2. (24) with A = "
-        f"u_cr has no real Ω at F_0 = 0.0300; at 0.03003 it has {significant(other, 5)}."
+        f"The lowest force at A = u_cr is {significant(at.F_0)}, at the frequency Ω_cr. 0.9288 is the frequency of the "
+        f"jump-down fold at F_0 = 0.0300, {significant(fold.Omega)}, where A = {significant(fold.A)}, as in Table 2. "
+        f"(24) with A = u_cr has no real Ω at F_0 = 0.0300; at 0.03003 it has {significant(other, 5)}."
     )
 
 

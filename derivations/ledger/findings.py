@@ -94,11 +94,11 @@ def _findings(facts: Facts, evidence: dict[str, str]) -> list[Finding]:
         Finding(
             "(20): the prefactor is half of what (21) and (22) need",
             ("formula:H_i_integrand_plus", "formula:H_i_integrand_minus"),
-            "The derived integrand is −(1/π) f_k cos ψ. Integrated over the cycle it gives the published (21), and over "
-            "the four intervals between detachments the published (22) "
-            f"({'both are proved' if facts.integrals_agree else 'not proved'}). (19) is correct with (21) and (22). Our "
-            "plain-text copy of the paper lost the sign in front of (20): with a minus sign (20) gives H_i/2, with a plus "
-            "sign −H_i/2. So (20) should be H_i = −(1/π)∫. The error does not affect (21) and later equations.",
+            "The derived integrand is −(1/π) f_k cos ψ. Integrated over the cycle it gives the published (21), and "
+            "over the four intervals between detachments the published (22) "
+            f"({'both are proved' if facts.integrals_agree else 'not proved'}). (19) is correct with (21) and (22). "
+            "Our plain-text copy of the paper lost the sign in front of (20): with a minus sign (20) gives H_i/2, with "
+            "a plus sign −H_i/2. So (20) should be H_i = −(1/π)∫. The error does not affect (21) and later equations.",
         ),
         judged("Section 3.1: a nonzero μ does not require a numerical solution", "claim:numerical_only"),
         judged(
@@ -112,8 +112,9 @@ def _findings(facts: Facts, evidence: dict[str, str]) -> list[Finding]:
             ("claim:minimum_root", "claim:one_positive_root"),
             "(33) itself is right: degree 36, even powers, one irreducible factor. "
             + evidence["claim:minimum_root"]
-            + " Elimination does not distinguish the signs of Ω, so a root of the resultant is a candidate that must be "
-            "checked in F_A = F_AA = 0. The printed F_SN = 0.0217 belongs to the second root. (34) has the same problem. "
+            + " Elimination does not distinguish the signs of Ω, so a root of the resultant is a candidate that must "
+            "be checked in F_A = F_AA = 0. The printed F_SN = 0.0217 belongs to the second root. (34) also has several "
+            "roots. "
             + evidence["claim:resultant_even_6"].partition("Three")[1]
             + evidence["claim:resultant_even_6"].partition("Three")[2]
             + " With a small preload, (33) does not give the onset at all: there is an inflection point below u_cr o"
@@ -148,10 +149,10 @@ def _findings(facts: Facts, evidence: dict[str, str]) -> list[Finding]:
         Finding(
             f"Table 2: the amplitudes were read off a mesh of step 1/{MESH}",
             (entry(4, "jump_up_A"), entry(5, "jump_up_A")),
-            f"Every printed amplitude is a point of the mesh: {printed}. It is the point at which Ω along the response "
-            "is extremal. Near a fold Ω depends on A only quadratically, so the frequencies are correct to four digits, "
-            "but the amplitudes have an error of up to half a step. Two amplitudes therefore round differently: "
-            f"{evidence_pair(facts)}.",
+            f"Every printed amplitude is a point of the mesh: {printed}. It is the point at which Ω along the "
+            "response is extremal. Near a fold Ω depends on A only quadratically, so the frequencies are correct to "
+            "four digits, but the amplitudes have an error of up to half a step. Two amplitudes therefore round "
+            f"differently: {evidence_pair(facts)}.",
         ),
         judged("Table 2, 0.040: the jump-down frequency is 0.99385, printed 0.9938", entry(4, "jump_down_Omega")),
         Finding(
