@@ -37,8 +37,8 @@ def assert_slopes_are_differences(
             for of in gradient.of:
                 values = [np.atleast_1d(np.asarray(getattr(one, of), dtype=float)) for one in (answer, *there)]
                 expected = (values[2] - values[1]) / 2
-                moves = sorted(step.keys() & {*gradient.by})
-                terms = np.array([np.atleast_1d(gradient[of, name]) * step[name] for name in moves])
+                varied = sorted(step.keys() & {*gradient.by})
+                terms = np.array([np.atleast_1d(gradient[of, name]) * step[name] for name in varied])
                 known = np.isfinite(terms).all(axis=0)
                 doubt = within * np.abs(terms).sum(axis=0) + 1e-12 * np.abs(values[0]).max(initial=0, where=known)
                 assert (np.abs(expected - terms.sum(axis=0)) <= doubt)[known].all(), (question, of, way)

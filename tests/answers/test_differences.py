@@ -25,19 +25,19 @@ AT_A_FORCING = {"folds": "saddle_nodes", "peak": "peak", "isolation": "isolation
 class System(NamedTuple):
     """What makes it of its numbers, a forcing and a frequency by their names, and questions.
 
-    asked  -- questions
-    stands -- those of which no answer has a slope
+    questions -- names, separated by spaces
+    constant  -- those of which no answer has a slope
     """
 
     make: Any
     numbers: dict[str, float]
     at: dict[str, float]
-    asked: str
-    stands: str
+    questions: str
+    constant: str
 
 
 class Forced(NamedTuple):
-    """An oscillator or a mount, and at what it is asked."""
+    """An oscillator or a mount, with a forcing and a frequency."""
 
     one: Any
     at: dict[str, float]
@@ -98,11 +98,12 @@ def at(F_0: float, Omega: float = 1.0) -> dict[str, float]:
     return {"F_0": F_0, "Omega": Omega}
 
 
-def system(kind: Any, numbers: Any, at: dict[str, float], asked: str, stands: str = "", **words: Any) -> System:
-    """Of numbers, among words such as an excitation, and of what does not change."""
-    words |= {name: value for name, value in numbers.items() if isinstance(value, str)}
-    kind = functools.partial(made, kind) if isinstance(kind, str) else functools.partial(kind, **words)
-    return System(kind, {name: value for name, value in numbers.items() if name not in words}, at, asked, stands)
+def system(kind: Any, numbers: Any, at: dict[str, float], questions: str, constant: str = "", **options: Any) -> System:
+    """From numbers, some of which are options such as an excitation, and options that stay constant."""
+    options |= {name: value for name, value in numbers.items() if isinstance(value, str)}
+    kind = functools.partial(made, kind) if isinstance(kind, str) else functools.partial(kind, **options)
+    numbers = {name: value for name, value in numbers.items() if name not in options}
+    return System(kind, numbers, at, questions, constant)
 
 
 def loaded(law: dict[str, Any]) -> dict[str, System]:
@@ -123,8 +124,8 @@ SYSTEMS = {
     "cushion": system("cushion", {"q": 0.5, "d": 0.3, "g": 0.2, **LOADED}, at(0.1, 1.28), EVERY),
     "cubic": system(Duffing, {"alpha": 1.0, "beta": 0.5, **LOADED, "load": 0.3}, at(0.1, 1.28), EVERY, "detachment"),
     **{
-        name: system(name, {**numbers, "mu": 0.004, "zeta": 0.03, "load": 0.0}, at(F_0, 1.2), SOME, stands)
-        for name, F_0, numbers, stands in (
+        name: system(name, {**numbers, "mu": 0.004, "zeta": 0.03, "load": 0.0}, at(F_0, 1.2), SOME, constant)
+        for name, F_0, numbers, constant in (
             ("right", 0.05, {"k": 5.0, "q": 8.0, "g": 0.1}, ""),
             ("left", 0.05, {"k": 5.0, "g": 0.05}, ""),
             ("both", 0.08, {"k": 3.0, "q": 20.0, "g": 0.1}, ""),
@@ -183,12 +184,12 @@ SYSTEMS = {
 
 @pytest.mark.parametrize("name", ["isolation, force", *slow(*(name for name in SYSTEMS if name != "isolation, force"))])
 def test_gradients_are_differences_of_answers(name: str) -> None:
-    make, numbers, at, asked, stands = SYSTEMS[name]
+    make, numbers, at, questions, constant = SYSTEMS[name]
 
     def forced(**values: float) -> Forced:
         forcing = {one: values.pop(one) for one in at}
         return Forced(make(**values), forcing)
 
-    asks = {question: lambda one, question=question: one.ask(question) for question in asked.split()}
+    asks = {question: lambda one, question=question: one.ask(question) for question in questions.split()}
     found = assert_slopes_are_differences(forced, {**numbers, **at}, asks, {**numbers, **at})
-    assert found == {*asked.split()} - {*stands.split()}
+    assert found == {*questions.split()} - {*constant.split()}

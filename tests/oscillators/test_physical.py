@@ -666,9 +666,9 @@ def test_exact_curve_begins_at_a_motion_of_the_mount():
 def test_gradients_in_si_units_are_by_what_was_given(mount):
     """Of the data sheet, not of scales; with condition numbers."""
     states = mount.amplitudes(f=2.5, F=5.0)
-    found, given = states.gradient(), {**MOUNT, "F": 5.0, "f": 2.5}
-    assert found.of == ("A", "phi", "transmissibility") and set(found.by) == set(given)
-    change = np.abs(found["A"][0] * [given[name] for name in found.by]).sum()
+    found, arguments = states.gradient(), {**MOUNT, "F": 5.0, "f": 2.5}
+    assert found.of == ("A", "phi", "transmissibility") and set(found.by) == set(arguments)
+    change = np.abs(found["A"][0] * [arguments[name] for name in found.by]).sum()
     assert found.condition("A")[0] == pytest.approx(change / states.A[0], rel=1e-13)
     sheet = {"m": 12.0, "k_1": 2500.0, "k_3": 4e5, "friction": 0.4, "c": 8.0}
     assert set(Duffing.physical(**sheet).peak(5.0).gradient().by) == {*sheet, "F"}
