@@ -1,7 +1,7 @@
-"""slowflow: response curves, folds and critical forcings of vibration isolators, from derived and generated equations.
+"""Resonance of nonlinear vibration isolators: response curves, folds, detachment, stability.
 
-`Isolator` and `Duffing`, or an `Oscillator` of any derived mechanism, answer questions by their methods. Results are
-classes of `slowflow.answers.results`; those in SI units are `Quantities`.
+`Isolator`, `Duffing`, or an `Oscillator` of any other spring model have a method for each question. Results are classes
+of `slowflow.answers.results`; results in SI units are `Quantities`.
 """
 
 import importlib

@@ -1,4 +1,4 @@
-"""The paper's example: its isolator, and the numbers of Table 1 that it is made of."""
+"""The paper's example: the isolator of Table 1."""
 
 from __future__ import annotations
 

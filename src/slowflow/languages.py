@@ -1,6 +1,6 @@
-"""The kernels in other languages. Takes generated C headers and Python modules; returns Fortran, Julia and MATLAB.
+"""The kernels in other languages: interfaces for Fortran and Julia, formulas for MATLAB.
 
-Fortran and Julia call the library that `exported.c` makes; a MATLAB class has the formulas themselves.
+Fortran and Julia call a library that is compiled from `exported.c`. A MATLAB class contains the formulas.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
-"""Base classes of results. Takes dataclasses of numbers, texts and arrays; returns immutable records.
+"""Base classes of results.
 
-They compare by value, can be copied and pickled, and convert to plain Python, or to tables of pandas or xarray, which
-are optional: `pip install 'slowflow[tables]'`.
+Results are immutable, compare by value, and can be copied and pickled. They convert to plain Python, or to tables of
+pandas and xarray, which are optional: `pip install 'slowflow[tables]'`.
 """
 
 from __future__ import annotations

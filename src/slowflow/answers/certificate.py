@@ -1,4 +1,4 @@
-"""Proofs about answers: enclosures in intervals or balls, whether they are complete, and their certificate."""
+"""Certificates: results of proofs, as enclosures of folds, states and forces."""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""Gradients: derivatives of an answer's numbers with respect to each parameter, and why some do not exist."""
+"""Gradients: derivatives of results with respect to all parameters.
+
+If a derivative does not exist, the gradient gives the reason.
+"""
 
 from __future__ import annotations
 

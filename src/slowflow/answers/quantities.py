@@ -1,8 +1,7 @@
-"""Numbers with units. Takes dimensionless answers and m, k_v, L; returns `Quantities`, the answers in SI units.
+"""Results in SI units.
 
-The scale of each number is derived (4): `slowflow_kernels.scaling`. Arguments are plain SI numbers (kg, N, N/m, m, s;
-frequencies in Hz), strings such as "0.3 g", or quantities of pint. Attributes of answers are plain SI numbers; they
-print, and convert by `in_units()`, in N, mm, Hz and ms.
+Arguments are numbers in SI units (kg, N, N/m, m, s, Hz), strings such as "0.3 g", or pint quantities. Attributes of
+results are numbers in SI units. Results print in N, mm, Hz and ms; `in_units()` converts to other units.
 """
 
 from __future__ import annotations

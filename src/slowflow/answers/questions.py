@@ -1,7 +1,7 @@
-"""The questions about one oscillator: each is declared here, with its arguments and the checks before any work.
+"""Functions of one oscillator that all averaged systems share.
 
-A system answers it: averaging about the centre (`averaged.questions`), averaging with a mean displacement B
-(`off_centre.questions`), or the second approximation (`second.questions`).
+The systems are averaging about the centre (`averaged.questions`), averaging with a mean displacement B
+(`off_centre.questions`), and the second approximation (`second.questions`).
 """
 
 from __future__ import annotations

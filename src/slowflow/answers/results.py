@@ -1,7 +1,8 @@
-"""Results of the questions: arrays and numbers; if there is no result, `message` gives the reason.
+"""Results of averaged functions.
 
-Results are immutable, their arrays included, and compare by value. Results with several entries have a length; indexing
-or iterating gives named tuples: `for fold in iso.saddle_nodes(0.04): fold.Omega`.
+If there is no result, `message` gives the reason. Results are immutable, including their arrays, and compare by value.
+Results with several entries have a length; indexing or iterating gives named tuples, for example `for fold in
+iso.saddle_nodes(0.04): fold.Omega`.
 """
 
 from __future__ import annotations

@@ -1,9 +1,8 @@
 # mypy: disable-error-code="empty-body"
-"""The table of questions: name, arguments and columns of the answer, by system.
+"""Functions of batches and the columns of their results.
 
-A row is a decorator of the method about many designs: it takes name, arguments and text from the method and lists the
-columns of the answer. The same question on a grid, the type, axis, meaning and unit of each column, the layout of a
-store and the names in SI units follow from it.
+Each function of `ManyQuestions` has a row in the table of questions, which contains its name, its arguments and the
+columns of its result. Grids, stores, units and names in SI units follow from this row.
 """
 
 from __future__ import annotations

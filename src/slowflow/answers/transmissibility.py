@@ -1,6 +1,7 @@
-"""Transmissibility of the whole waveform: first harmonic, peak and RMS of force, relative or absolute displacement.
+"""Transmissibility of the waveform: first harmonic, peak and RMS.
 
-`transmitted` of exact motions and of the second approximation returns `Transmitted`.
+`transmitted` of exact motions and of the second approximation returns `Transmitted`, for the force or for the relative
+or absolute displacement.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
-"""Measured errors of averaged answers. Takes amplitudes and frequencies; returns errors and messages.
+"""Validity: errors of averaging, measured on results like the given ones.
 
-The errors were measured on exact motions of the paper's isolator, see docs/validity.md; `table` contains them, and
-names the mechanisms to which they apply. For any other mechanism the message says that nothing was measured.
+The errors were measured for the paper's isolator (docs/validity.md). For a spring model for which nothing was measured,
+the message states this.
 """
 
 from __future__ import annotations

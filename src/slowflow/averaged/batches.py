@@ -1,7 +1,7 @@
-"""Answers about many designs: columns by the table of questions, diagnostics, gradients and tables.
+"""Results of batches: columns, diagnostics, gradients and tables.
 
-Invalid designs, and designs without a result, have NaN; `status` gives the reason, as a code of
-`slowflow_kernels.conventions.Status`, 0 for a result. The questions are those of `slowflow.answers.table`.
+Invalid designs, and designs without a result, have NaN. Their `status` gives the reason, as a code of
+`slowflow_kernels.conventions.Status`; it is 0 for a result.
 """
 
 from __future__ import annotations

@@ -1,7 +1,4 @@
-"""Engineering checks of an oscillator: margins, hysteresis, isolation, load spectra.
-
-Takes an averaged oscillator, forcings and frequencies; returns records, computed from the averaged answers.
-"""
+"""Results of checks: margins, hysteresis, isolation, load spectra."""
 
 from __future__ import annotations
 

@@ -1,7 +1,4 @@
-"""The questions that combine others: margins, hysteresis, isolation and load spectra.
-
-`slowflow.averaged.checks` answers them; it is imported on first use.
-"""
+"""Functions that combine several results: margins, hysteresis, isolation and load spectra."""
 
 from __future__ import annotations
 

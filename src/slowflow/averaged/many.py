@@ -1,11 +1,11 @@
-"""Many designs at once. Takes arrays of parameters that broadcast; returns critical forcings, folds, states and peaks.
+"""Batches of averaged oscillators: critical forces, folds, states, peaks and curves.
 
-Each design is evaluated in double precision; a batch then resolves undecided ones in ball arithmetic.
+Batches are made by `Isolator.many(...)` and `Duffing.many(...)` from arrays that broadcast. Designs that double
+precision leaves undecided are resolved in ball arithmetic. With `workers`, several threads share the designs (-1: one
+thread for each processor) and give the same digits. Ctrl-C takes effect within a second.
 
-Made by `Isolator.many(...)` and `Duffing.many(...)`. Only the answers are allocated: inputs, broadcast views included,
-are not copied. `workers` threads share the designs (-1: one for each processor) and give the same digits. Ctrl-C takes
-effect within a second. Invalid designs, and designs without a result, get NaN and raise nothing: `status` gives the
-reason, as a code of `slowflow_kernels.conventions.Status`, 0 for a result.
+Invalid designs, and designs without a result, have NaN. Their `status` gives the reason, as a code of
+`slowflow_kernels.conventions.Status`; it is 0 for a result.
 """
 
 from __future__ import annotations

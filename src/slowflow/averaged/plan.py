@@ -1,8 +1,4 @@
-"""The steps of a question. Takes an oscillator's models and the question; returns the plan.
-
-Solvers and plan use the same conditions: an oscillator searches for folds if `may_have_folds` is true, and the plan,
-made on request, gives the reason, step by step.
-"""
+"""Plans: the steps by which a function is computed, and why steps are skipped."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
-"""The averaged questions about one oscillator. Takes its slow flow as numbers; returns curves, folds, forcings.
+"""Averaged results of one oscillator: response curves, folds, critical forces.
 
-Everything is dimensionless, as in (4): displacement in rod lengths, force in k_v L, frequency in sqrt(k_v/m). `plan`
-decides which steps run for a question; `solvers` has the compiled solvers.
+All quantities are dimensionless, as in (4): displacements are divided by L, forces by k_v L, frequencies by
+sqrt(k_v/m).
 """
 
 from __future__ import annotations

@@ -1,9 +1,8 @@
-"""Mechanisms: the record, the restoring force with its numbers, and the equation of motion.
+"""Mechanisms, restoring forces and the equation of motion.
 
-A `Mechanism` and its parameters make a `Force` (pieces and breakpoints); with friction and damping it is an
-`EquationOfMotion`. Both are immutable and hashable. The functions of a piece take (u, *constants) and consist of
-arithmetic and NumPy functions, so that they accept floats, complex numbers and an integrator's symbols. Integrators
-compile a law once; constants are run-time parameters.
+A `Mechanism` with values of its parameters is a `Force`, which has pieces and breakpoints. With friction and damping it
+is an `EquationOfMotion`. Functions of a piece take (u, *constants) and accept floats, complex numbers and symbols of an
+integrator.
 """
 
 from __future__ import annotations

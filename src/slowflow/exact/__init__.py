@@ -1,8 +1,7 @@
-"""The equation of motion (3) itself, solved without averaging: periodic motions, response curves, sweeps.
+"""Exact motions: periodic solutions, response curves and sweeps of the equation of motion (3).
 
-`steady_state`, `exact_response`, `sweep` and `transient` take an `EquationOfMotion` (restoring force in pieces, dry
-friction, viscous damping) and its excitation. The times of slip, stick and detachment are roots of the solution, not
-smoothed.
+`steady_state`, `exact_response`, `sweep` and `transient` take an `EquationOfMotion` and its excitation. Friction is not
+smoothed: the times of slip, stick and detachment are roots of the solution.
 """
 
 from slowflow.core.mechanism import EquationOfMotion, Force, Law, Piece, linear

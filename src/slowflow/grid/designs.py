@@ -1,6 +1,7 @@
-"""Designs in arrays with named axes, or in blocks. Takes arrays of xarray or dask; returns Datasets of answers.
+"""Maps over named axes, made from xarray or dask arrays.
 
-Dask arrays stay lazy until an answer is computed, block by block; `store` writes the blocks into Zarr.
+Results are xarray Datasets. Dask arrays stay lazy until a result is computed, block by block; `store` writes the blocks
+into a Zarr store.
 """
 
 from __future__ import annotations

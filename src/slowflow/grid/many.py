@@ -1,6 +1,6 @@
-"""Batches of oscillators at three levels of approximation. Takes arrays; returns averaged and exact answers.
+"""Batches of oscillators: averaged results, second approximation and exact motions.
 
-The averaged questions come from `slowflow.averaged.many`; the others, and maps, are imported on first use.
+Averaged results are methods of `slowflow.averaged.many`.
 """
 
 from __future__ import annotations

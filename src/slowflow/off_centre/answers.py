@@ -1,6 +1,6 @@
-"""Answers about offset motions: equilibria, and gradients of numbers with a mean displacement B.
+"""Results for motions with a mean: equilibria and gradients.
 
-The other answers are those of `slowflow.answers.results`, with B and the load.
+Other results are those of `slowflow.answers.results`, with the mean B and the load in addition.
 """
 
 from __future__ import annotations

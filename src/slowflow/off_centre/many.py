@@ -1,7 +1,7 @@
-"""Offset motions of many designs. Takes arrays of designs and loads that broadcast; answers as `OffCentre` does.
+"""Batches of oscillators whose motions have a mean.
 
-Each design is evaluated like a single one, with the same digits, in some hundredths of a second. Invalid designs and
-those without a result get NaN and a status, as in `slowflow.averaged.many`.
+The functions are those of `OffCentre`. Each design is computed like a single one, with the same digits, in some
+hundredths of a second. Invalid designs, and designs without a result, have NaN and a status.
 """
 
 from __future__ import annotations

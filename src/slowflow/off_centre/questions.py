@@ -1,6 +1,6 @@
-"""The averaged questions about offset motions. Takes a force as steps with damping and load; returns states with B.
+"""Averaged results for motions with a mean: static load, asymmetric force, double well.
 
-The motion is u = B + A cos psi, with the balance of the mean f_0(A, B) = 0.
+The motion is u = B + A cos psi. The mean B follows from the balance f_0(A, B) = 0.
 """
 
 from __future__ import annotations

@@ -1,11 +1,11 @@
-"""Measured columns. Takes a CSV file whose header has names and units; returns arrays by name, in SI units.
+"""Measured columns, read from a CSV file with names and units in its header.
 
     f [Hz], a [g]
     2.0, 0.05
     5.0, 0.04
 
-Names are those of the arguments that take the columns: f, F (Y, a, U), A or phi for points, t and acceleration for a
-record, f and G for a spectral density, x and F for a loop.
+The columns become arrays in SI units. Their names are those of the arguments that take them: f, F (or Y, a, U), A and
+phi for measured points; t and acceleration for a shock record; f and G for a spectral density; x and F for a loop.
 """
 
 from __future__ import annotations

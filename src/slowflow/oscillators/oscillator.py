@@ -1,6 +1,6 @@
-"""One oscillator at three depths of analysis. Takes a mechanism and its numbers; returns averaged and exact answers.
+"""Oscillators: averaged results, second approximation and exact motions.
 
-The averaged questions come from `Averaged`; the second approximation and exact motions are imported on first use.
+Averaged results are methods of `Averaged`, from which oscillators inherit.
 """
 
 from __future__ import annotations

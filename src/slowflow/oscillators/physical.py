@@ -1,7 +1,6 @@
-"""Oscillators in newtons, metres and hertz. Takes a dimensionless one and its `Scales`; returns `Quantities`.
+"""Oscillators in SI units: newtons, metres and hertz.
 
-Arguments in SI units, or quantities of pint, are made dimensionless. The table of columns has the dimensionless name
-and the kind of each number, `slowflow.answers.quantities` the units.
+Arguments are numbers in SI units, strings with a unit, or pint quantities. Results are `Quantities`.
 """
 
 from __future__ import annotations

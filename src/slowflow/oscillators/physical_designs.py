@@ -1,6 +1,6 @@
-"""Many mounts in newtons, metres and hertz. Takes data sheets of arrays; returns the answers of all in SI units.
+"""Batches of mounts in SI units, made from arrays of data sheets.
 
-The questions are those of a single mount that are in the table, with the mount's names of arguments.
+Arguments have the names that a single mount uses; results are in SI units.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
-"""Mounts in newtons, metres and hertz over named axes. Takes data sheets of labelled arrays; returns maps in SI units.
+"""Maps of mounts in SI units over named axes, made from xarray or dask arrays.
 
-A block of a map is a batch of mounts, `slowflow.oscillators.physical_designs`; maps are those of `slowflow.grid`.
+Each block of a map is a batch of mounts (`slowflow.oscillators.physical_designs`).
 """
 
 from __future__ import annotations

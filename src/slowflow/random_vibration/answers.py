@@ -1,4 +1,4 @@
-"""Answers about random vibration: equivalent linear oscillators, spectra, averages of records."""
+"""Results of random vibration: equivalent oscillators, spectra, simulated averages."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The second approximation: the questions about an averaged oscillator, with higher harmonics."""
+"""The second approximation: averaging with higher harmonics."""
 
 from slowflow.second.questions import SecondApproximation
 

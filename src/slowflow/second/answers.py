@@ -1,4 +1,7 @@
-"""Answers of the second approximation: those of averaging, with the amplitude A_1 of the first harmonic."""
+"""Results of the second approximation.
+
+They have the attributes of averaged results, and the amplitude A_1 of the first harmonic.
+"""
 
 from __future__ import annotations
 

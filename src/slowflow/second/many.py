@@ -1,9 +1,9 @@
-"""Many designs in the second approximation. Takes arrays of designs; returns critical forcings, folds and peaks.
+"""Batches in the second approximation.
 
-The answers are those of `slowflow.averaged.batches`, with the largest displacement as A. `Status.NONE` marks designs
-without an answer in the second approximation, though averaging may have one, for example because the harmonics are not
-small; `Status.INVALID` also those for whose force the harmonics are not derived. States and curves are computed one by
-one, in some milliseconds each.
+Results are those of `slowflow.averaged.batches`, with the largest displacement as A. `Status.NONE` marks designs
+without a result in the second approximation, for example because the harmonics are not small; averaging may have a
+result. `Status.INVALID` also marks designs with a force whose harmonics are not derived. States and curves are computed
+one by one, in some milliseconds each.
 """
 
 from __future__ import annotations

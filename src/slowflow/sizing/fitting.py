@@ -1,7 +1,7 @@
-"""A fit. Takes measured amplitudes, phases, jumps, decays or loops; returns numbers with confidence intervals.
+"""Parameter identification from amplitudes, phases, jump frequencies, decays and loops.
 
-Least squares on the averaged states, by SciPy; of several motions at a frequency the one nearest to the measured value
-is used.
+Parameters are found by least squares on averaged states, with SciPy. If there are several motions at a frequency, the
+one nearest to the measured value is used.
 """
 
 from __future__ import annotations

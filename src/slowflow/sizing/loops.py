@@ -1,8 +1,7 @@
-"""A measured force-displacement loop. Takes displacement and force; returns spring and friction with intervals.
+"""Spring and friction from a measured force-displacement loop.
 
-The force is linear in the unknowns: F = F_mean + k_1 x + k_3 x^3 + friction sign(v) + c v. The spring is the mean of
-the two branches, friction half of the distance between them; a least-squares fit finds all, without the samples at
-which the motion reverses.
+The force is linear in the unknowns: F = F_mean + k_1 x + k_3 x^3 + friction sign(v) + c v. A least-squares fit
+determines them, without the samples next to a reversal of the motion.
 """
 
 from __future__ import annotations

@@ -1,8 +1,7 @@
-"""Inverse design. Takes a design, free parameters and requirements; returns the nearest design that meets them.
+"""Inverse design: the nearest design that meets requirements, and Pareto-optimal designs.
 
-For conflicting answers: the Pareto front. The search is SciPy's differential evolution over the batch questions, from a
-seed:
-each generation is one batch. The nearest design is refined by sequential quadratic programming with finite differences.
+The search is SciPy's differential evolution with a seed; each generation is one batch. Sequential quadratic programming
+with finite differences then refines the nearest design.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
-"""Tolerances. Takes a design and tolerances of its parameters; returns bands of its answers, and sensitivity indices.
+"""Tolerances: how results scatter when parameters vary, and Sobol sensitivity indices.
 
-Samples are drawn by Latin hypercubes from a seed, the same on every machine; Sobol' indices are SALib's, an optional
-package: `pip install 'slowflow[sizing]'`.
+Samples are drawn by Latin hypercube sampling with a seed, and are the same on every machine. Sobol indices need the
+package SALib: `pip install 'slowflow[sizing]'`.
 """
 
 from __future__ import annotations
