@@ -1,6 +1,6 @@
 """`make stress`: search for the worst errors, count what is missed, write docs/stability.md and the baseline.
 
-Out: benchmarks/results/stability.json, docs/stability.md and its pictures, and tests/data/stability.json, whose errors
+Out: benchmarks/results/stability.json, docs/stability.md and its pictures, and results/worst_points.json, whose errors
 `make derive` states in the headers of kernels. Less than twenty minutes on two slow cores. `--only answers counts`
 measures these anew and keeps the rest of the last results, `--draw` keeps all; `--size 0.1` takes a tenth of the
 points. Counts against proofs are ten million, a million isolators among them. What was measured is kept as soon as a

@@ -1,4 +1,4 @@
-"""The worst points as tests: measured results in, tests/data/stability.json out, which the tests replay.
+"""The worst points as tests: measured results in, benchmarks/results/worst_points.json out, which the tests replay.
 
 Kernels keep their points with exact values as `kernel_oracle.json` does; roots and answers keep points, exact values
 and conditions; beside each stands the error measured: it may not grow. Counts keep the cases next to a level whose
@@ -12,9 +12,10 @@ import json
 from pathlib import Path
 from typing import Any
 
+from benchmarks.document import RESULTS
 from benchmarks.stress import domains
 
-OUT = Path(__file__).resolve().parents[2] / "tests" / "data" / "stability.json"
+OUT = RESULTS / "worst_points.json"
 #: wrong counts kept of each mechanism and kind of each share
 CASES = 20
 
@@ -54,6 +55,12 @@ def arguments(kernels: list[dict[str, Any]]) -> dict[str, set[str]]:
     for k in kernels:
         names.setdefault(k["module"], set()).update(k["names"])
     return names
+
+
+def stored() -> dict[str, list[dict[str, Any]]]:
+    """The baseline as it stands."""
+    kept: dict[str, list[dict[str, Any]]] = json.loads(OUT.read_text(encoding="utf-8"))
+    return kept
 
 
 def write(found: dict[str, Any]) -> None:

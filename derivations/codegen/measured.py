@@ -14,7 +14,7 @@ from pathlib import Path
 
 from .form import Module
 
-DATA = Path(__file__).parents[2] / "tests" / "data" / "stability.json"
+DATA = Path(__file__).parents[2] / "benchmarks" / "results" / "worst_points.json"
 #: what an oscillator is from that is derived at run time
 AT_RUNTIME = "runtime.py"
 TWO_DIGITS = decimal.Context(prec=2, rounding=decimal.ROUND_UP)

@@ -13,6 +13,7 @@
 #include "build.h"
 #include "kernels.h"
 
+_Static_assert(35 <= SF_MOST_OPERANDS, "more room for arguments and results in kernels.h");
 static char all_double[SF_MOST_OPERANDS];
 static PyUFuncGenericFunction run[] = {sf_run};
 

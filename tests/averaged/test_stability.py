@@ -20,7 +20,7 @@ from tests.oracles import kernels as exact
 from tests.oracles.frequencies import KINDS
 from tests.sampling import fewer
 
-BASELINE = stored("stability")
+BASELINE = baseline.stored()
 # the last digit of a stored error, and of a stored scale
 ROUNDED = 1 + 1e-4
 

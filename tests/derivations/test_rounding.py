@@ -7,9 +7,9 @@ import dataclasses
 import pytest
 import sympy as sp
 
+from benchmarks.stress import baseline
 from derivations.codegen import measured, proved, rounding
 from derivations.codegen.passes import straight_line
-from tests.files import stored
 from tests.oracles import kernels as exact
 
 A, B = sp.symbols("A B", real=True)
@@ -55,7 +55,7 @@ def test_stored_bounds_are_what_is_proved(modules, name):
 @pytest.mark.slow
 def test_no_error_that_was_found_exceeds_a_proved_bound(of_kernels):
     """The worst points of `make stress`, compiled and NumPy, against another oracle and by another way."""
-    rows = stored("stability")["kernels"]
+    rows = baseline.stored()["kernels"]
     compared = 0
     for row in rows:
         if (row["module"], row["kernel"]) not in of_kernels:

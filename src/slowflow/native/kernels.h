@@ -13,7 +13,7 @@
 #include "clones.h"
 
 enum {
-    SF_MOST_OPERANDS = 64,
+    SF_MOST_OPERANDS = 64, /* as NumPy */
     SF_BLOCK = 256 /* no loop is given more than a block, and whole vectors */
 };
 

@@ -17,8 +17,6 @@ from ...views import composition_view, templates
 from ..c import calls
 from ..c.records import guards_of
 
-# SF_MOST_OPERANDS in kernels.h
-MOST_OPERANDS = 64
 #: a space that no line ends with
 UNBROKEN = "\xa0"
 
@@ -64,13 +62,11 @@ def files(modules: Sequence[Module]) -> dict[str, str]:
     """Every file of this stage."""
     environment = templates(Path(__file__).parent)
     environment.filters["continued"] = lambda text: text.replace("\n", " \\\n").replace(UNBROKEN, " ")
-    result = {}
+    result, most = {}, 0
     looped = [module for module in modules if module.looped]
     for module in looped:
         ufuncs = sharing_choices([of(one, module) for one in module.looped])
-        for ufunc in ufuncs:
-            if ufunc.inputs + ufunc.outputs > MOST_OPERANDS:
-                raise ArithmeticError(f"{ufunc.prefix} has more than {MOST_OPERANDS} arguments and results")
+        most = max(most, *(one.inputs + one.outputs for one in ufuncs))
         text = environment.get_template("module.c.jinja").render(
             module=module,
             ufuncs=ufuncs,
@@ -79,7 +75,7 @@ def files(modules: Sequence[Module]) -> dict[str, str]:
             choice=choice,
         )
         result[f"native/{module.name}.c"] = text
-    result["native/_native.c"] = environment.get_template("init.c.jinja").render(modules=looped)
+    result["native/_native.c"] = environment.get_template("init.c.jinja").render(modules=looped, most=most)
     return result
 
 
