@@ -4,8 +4,12 @@ from __future__ import annotations
 
 from typing import Any
 
+import numpy as np
+
 #: frequency of states, frequencies of a load spectrum
 OMEGA, ROWS = 0.9, (0.8, 1.1)
+#: a base's acceleration at times
+TAU, PULSE = np.array([0.0, 0.4, 1.1, 1.3, 2.5, 4.0]), np.array([0.0, 1.0, 0.3, -0.4, 0.7, 0.0])
 
 
 def _at(F_0: Any) -> dict[str, dict[str, Any]]:
@@ -28,6 +32,8 @@ def _at(F_0: Any) -> dict[str, dict[str, Any]]:
         "transient": {"acceleration": F_0, "duration": 2.0},
         "shock_spectrum": {"acceleration": F_0, "duration": 2.0},
         "random": {"S_0": 0.01 * F_0},
+        "isolation at a level": {"F_0": 0.1 + F_0, "level_dB": -7.0},
+        "transient of a record": {"acceleration": 5 * rows * PULSE, "tau": TAU, "after": 3.0},
     }
 
 
@@ -44,7 +50,7 @@ ALL = (*AVERAGED, *(f"second_approximation.{name}" for name in SECOND))
 def ask(of: Any, question: str, F_0: Any, **more: Any) -> Any:
     """The answer of designs, or of one of them, to a question of one of these lists."""
     depth, _, name = question.rpartition(".")
-    return getattr(getattr(of, depth) if depth else of, name)(**_at(F_0)[name], **more)
+    return getattr(getattr(of, depth) if depth else of, name.split()[0])(**{**_at(F_0)[name], **more})
 
 
 def columns(answer: Any) -> dict[str, Any]:

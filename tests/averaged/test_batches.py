@@ -5,7 +5,6 @@ from __future__ import annotations
 import dataclasses
 import math
 import signal
-from functools import partial
 
 import numpy as np
 import pytest
@@ -152,59 +151,6 @@ def test_response_beyond_doubles_is_refused_or_has_a_status():
             ask(F_0)
     found = many.frequency_response([F_0, 0.1], samples=10)
     assert found.status.tolist() == [Status.NO_BOUND, Status.OK] and found.points[0] == 0
-
-
-@pytest.mark.parametrize("force", ["truncated", *slow("untruncated", "cubic")])
-def test_designs_that_go_together_are_answered_as_each_alone(force):
-    """To the last bit, states from next to a fold, where a proof decides, to far from it; a block and a rest."""
-    rng = np.random.default_rng(11)
-    count = 130
-    numbers = {
-        "mu": np.where(rng.random(count) < 0.3, 0.0, rng.uniform(0, 0.03, count)),
-        "zeta": rng.uniform(0.004, 0.1, count),
-    }
-    if force == "cubic":
-        make, many = Duffing, Duffing.many
-        numbers |= {"alpha": rng.uniform(-0.2, 2, count), "beta": rng.normal(0, 1, count)}
-    else:
-        make, many = partial(Isolator, force=force), partial(Isolator.many, force=force)
-        numbers |= {
-            "lam": rng.uniform(1, 4, count),
-            "r": rng.uniform(0.4, 2, count),
-            "delta_h": rng.uniform(0.02, 0.1, count),
-        }
-    designs, F_0 = many(**numbers), 4 / np.pi * numbers["mu"] + rng.uniform(0.01, 0.1, count)
-    fold = designs.saddle_nodes(F_0).Omega[:, 0]
-    offset = 10 ** rng.uniform(-15, -1, count) * rng.choice([-1, 1], count)
-    Omega = np.where(np.isfinite(fold) & (fold > 0), fold * (1 + offset), rng.uniform(0.1, 2, count))
-    together = designs.amplitudes(Omega=Omega, F_0=F_0)
-    assert len(set(together.count)) > 1
-    for k in range(count):
-        one, n = make(**{name: value[k] for name, value in numbers.items()}), together.count[k]
-        single = one.amplitudes(Omega=Omega[k], F_0=F_0[k])
-        assert (
-            single.A.tolist() == together.A[k, :n].tolist()
-            and single.stable.tolist() == together.stable[k, :n].tolist()
-        )
-
-
-def test_batch_onsets_at_weak_damping_are_those_of_each_alone():
-    """To the last bit: the slopes of Newton's method have few digits there, and its end depends on its beginning."""
-    designs = {
-        "lam": [34.923373761186475, 8.182419049017573, 49.466564841656314, 618.0433851778122, 1.4649991649637566],
-        "r": [0.027837731440404932, 0.012471942009670382, 34.95335225220813, 326.86681061919, 3.0016274311152924],
-        "delta_h": [0.35146489, 0.0035537755295502456, 0.0005725779359160874, 4.9005565662e-06, 0.0082176349203449],
-        "mu": [0.0] * 5,
-        "zeta": [1.792261301048228e-08, 2.845047221993845e-09, 1.2082005373961054e-08, 3.15e-09, 3.859392788880549e-09],
-    }
-    rng = np.random.default_rng(41)
-    for name, value in designs.items():
-        near = 1 + 1e-3 * rng.uniform(-1, 1, (60, 5)) * (name != "mu")
-        designs[name] = (np.asarray(value) * near).ravel()
-    together = Isolator.many(**designs).saddle_node_onset()
-    for k in range(together.F_SN.size):
-        single = Isolator(**{name: value[k] for name, value in designs.items()}).saddle_node_onset()
-        assert (single.F_SN, single.Omega, single.A) == (together.F_SN[k], together.Omega[k], together.A[k])
 
 
 @pytest.mark.parametrize("load", [0.0, 0.02])

@@ -121,34 +121,6 @@ def test_a_lower_level_never_begins_earlier(seed, levels):
     assert all(before <= after * (1 + 1e-12) for before, after in pairwise(numbers))
 
 
-@pytest.mark.parametrize("laws", [{}, {"eta": 0.04, "c_2": 0.2}])
-@pytest.mark.parametrize("excitation", ["force", "base"])
-def test_many_designs_at_many_levels_are_those_of_each(excitation, laws):
-    rng = np.random.default_rng(5)
-    n = fewer(40, 10)
-    parameters = {"alpha": rng.uniform(0.1, 2, n), "beta": rng.uniform(-0.3, 2, n), "mu": 10 ** rng.uniform(-5, -2, n)}
-    parameters["zeta"] = 10 ** rng.uniform(-2, 0, n)
-    F_0, levels = 10 ** rng.uniform(-2, -0.5, n), np.array([[0.0], [-7.0], [-21.0], [-70.0]])
-    many = Duffing.many(**parameters, **laws, excitation=excitation).isolation(F_0, level_dB=levels)
-    assert many.Omega.shape == (4, n) and many.arguments["level_dB"] is levels
-    for row, level_dB in enumerate(levels[:, 0].tolist()):
-        for k in range(n):
-            one = Duffing(
-                **{name: float(value[k]) for name, value in parameters.items()}, **laws, excitation=excitation
-            )
-            try:
-                single = one.isolation(float(F_0[k]), level_dB)
-            except ArithmeticError:
-                continue
-            if single.Omega is None:
-                assert many.status[row, k] in (Status.NONE, Status.STICKS), (row, k, single.message)
-                continue
-            assert many.status[row, k] == Status.OK
-            near = 1e-11 if excitation == "force" else 1e-11 * 10 ** (-level_dB / 10)
-            assert many.Omega[row, k] == pytest.approx(single.Omega, rel=near)
-            assert bool(many.at_fold[row, k]) == single.at_fold
-
-
 def test_what_friction_passes_on_at_any_frequency_is_told():
     parameters, F_0 = {"alpha": 1.0, "beta": 0.5, "mu": 0.01, "zeta": 0.05}, 0.1
     floor = 20 * math.log10(4 * 0.01 / (math.pi * F_0))

@@ -17,7 +17,7 @@ from slowflow.support.errors import Refused, SlowflowError
 from slowflow_kernels.conventions import FoldKind, GradientStatus, OnsetKind, Status
 from tests.batch_questions import ALL, OFF_CENTRE, ROWS, ask, columns
 from tests.derived import test_sampled
-from tests.sampling import fewer
+from tests.sampling import fewer, slow
 
 #: of an answer's status: there is one, also where it has no number
 ANSWERED = (Status.OK, Status.NONE, Status.UNBOUNDED)
@@ -72,6 +72,17 @@ def weakly_damped(of):
         return designs | {"F_0": above + 10.0 ** draw.uniform(-5, 0, count)}
 
     return drawn
+
+
+def with_few_digits(draw, count):
+    """Isolators at whose onset slopes of Newton's method have few digits: its end depends on its beginning."""
+    of = {
+        "lam": [34.923373761186475, 8.182419049017573, 49.466564841656314, 618.0433851778122, 1.4649991649637566],
+        "r": [0.027837731440404932, 0.012471942009670382, 34.95335225220813, 326.86681061919, 3.0016274311152924],
+        "delta_h": [0.35146489, 0.0035537755295502456, 0.0005725779359160874, 4.9005565662e-06, 0.0082176349203449],
+        "zeta": [1.792261301048228e-08, 2.845047221993845e-09, 1.2082005373961054e-08, 3.15e-09, 3.859392788880549e-09],
+    }
+    return {name: np.resize(value, count) * (1 + 1e-3 * draw.uniform(-1, 1, count)) for name, value in of.items()}
 
 
 def with_laws(draw, count):
@@ -164,6 +175,7 @@ KINDS = {
     "untruncated isolators in blocks": Kind(Isolator, in_blocks, {"force": "untruncated"}, DETACHED, 200),
     "weakly damped isolators": Kind(Isolator, weakly_damped(isolators), {}, ("saddle_nodes",), 1500),
     "weakly damped Duffing's": Kind(Duffing, weakly_damped(duffings), {}, ("saddle_nodes",), 1500),
+    "isolators with few digits": Kind(Isolator, with_few_digits, {"mu": 0.0}, DETACHED[1:], 300),
     "rubbing isolators": Kind(Isolator, rubbing, {"contact": "attached"}, ALL, FEW),
     "rubbing isolators on a base": Kind(Isolator, rubbing, {"contact": "attached", "excitation": "base"}, count=FEW),
     "rubbing untruncated isolators": Kind(
@@ -264,17 +276,17 @@ def assert_is_that_of_each(found, singles, question):
 
 #: what is summed in another order in a batch, or found by another iteration; all others have every bit
 NEAR = {
-    "isolation": 1e-10,
+    **dict.fromkeys(("isolation", "isolation at a level"), 1e-10),
     "at_rest": 1e-13,
-    **dict.fromkeys(("spectrum", "transient", "shock_spectrum", "random"), 1e-12),
+    **dict.fromkeys(("spectrum", "transient", "transient of a record", "shock_spectrum", "random"), 1e-12),
 }
 
 
-def asked_alone(make, designs, same, F_0, question):
+def asked_alone(make, designs, same, F_0, question, **more):
     for k in range(F_0.size):
         try:
             one = make(**{name: float(value[k]) for name, value in designs.items()}, **same)
-            yield ask(one, question, float(F_0[k]))
+            yield ask(one, question, float(F_0[k]), **{name: float(value[k]) for name, value in more.items()})
         except SlowflowError as refusal:
             yield refusal
 
@@ -316,6 +328,19 @@ def test_many_are_answered_as_each_alone(kind, question):
         np.testing.assert_array_equal(found.remarks, remarks)
 
 
+@pytest.mark.parametrize("kind", ["isolators in blocks", *slow("untruncated isolators in blocks", "Duffing's")])
+def test_many_next_to_a_fold_have_the_states_of_each(kind):
+    """From where a proof decides."""
+    make, designs, same, F_0 = drawn(kind)
+    many, draw = make.many(**designs, **same), np.random.default_rng(11)
+    fold = many.saddle_nodes(F_0).Omega[:, 0]
+    offset = 10 ** draw.uniform(-15, -1, F_0.size) * draw.choice([-1, 1], F_0.size)
+    at = {"Omega": np.where(fold > 0, fold * (1 + offset), draw.uniform(0.1, 2, F_0.size))}
+    together = many.amplitudes(F_0=F_0, **at)
+    assert {1, 3} <= set(together.count)
+    assert_is_that_of_each(together, asked_alone(make, designs, same, F_0, "amplitudes", **at), "amplitudes")
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("kind", ["isolators", "isolators on a base", "loaded Duffing's"])
 def test_many_cross_folds_where_each_does(kind):
@@ -333,17 +358,18 @@ def test_many_cross_folds_where_each_does(kind):
 
 #: of which some are none
 SPOILT = (spoilt, in_blocks)
-#: what moves with the numbers, and which of these are asked of mechanisms that are derived
-MOVING = (
-    ("detachment", "saddle_node_onset", "saddle_nodes", "amplitudes", "peak", "isolation", "rest"),
-    ("saddle_nodes", "amplitudes"),
-)
+#: what moves with the numbers of mechanisms that are derived, and of others
+OF_DERIVED = ("saddle_nodes", "amplitudes")
+MOVING = ("detachment", "saddle_node_onset", *OF_DERIVED, "peak", "isolation", "isolation at a level", "rest")
 
 
 @pytest.mark.parametrize(
     ("kind", "question"),
     cases(
-        lambda question, of: question in MOVING[isinstance(of.make, str)] and not (of.draw in SPOILT or of.is_sampled),
+        lambda question, of: (
+            question in (OF_DERIVED if isinstance(of.make, str) else MOVING)
+            and not (of.draw in SPOILT or of.is_sampled)
+        ),
         ("Duffing's",),
     ),
 )

@@ -11,7 +11,6 @@ from scipy.integrate import cumulative_trapezoid
 from scipy.optimize import brentq
 
 from slowflow import Duffing, Isolator, derive, exact
-from slowflow.answers.results import Remark
 from slowflow.exact import EquationOfMotion, half_sine, linear, record, transient
 from slowflow.example import isolator
 from slowflow_kernels.conventions import Status
@@ -177,47 +176,6 @@ def test_rows_of_a_shock_spectrum_are_single_shocks():
     for row in found:
         one = iso.transient(acceleration=row.acceleration, duration=row.duration)
         assert (row.A, row.a_max, row.detaches) == (one.A, pytest.approx(one.a_max, rel=1e-12), one.detaches)
-
-
-def test_shocks_of_many_designs_are_those_of_each():
-    """Half sines and records, of isolators that stick, leave their springs or are none; with what is said of each."""
-    draw, n = np.random.default_rng(9), 120
-    lam, delta_h = draw.integers(1, 4, n).astype(float), draw.uniform(0.0, 0.4, n) * (draw.random(n) < 0.9)
-    parameters = {"lam": lam, "r": draw.uniform(0.05, 1.0, n) / (lam * np.maximum(delta_h, 0.05)), "delta_h": delta_h}
-    parameters |= {"mu": draw.uniform(0, 0.05, n) * (draw.random(n) < 0.7), "zeta": draw.uniform(0.0, 0.4, n)}
-    parameters["r"][3] = -1.0
-    pulse = {
-        "acceleration": draw.uniform(-1, 1, n) * draw.choice([0.03, 0.5, 3.0], n),
-        "duration": draw.uniform(0.1, 9, n),
-    }
-    tau = np.cumsum(draw.uniform(0.01, 1, (n, 9)), axis=-1)
-    samples = {"tau": tau, "acceleration": draw.normal(0, 0.3, 9)}
-    designs = Isolator.many(**parameters)
-    seen = set()
-    for batch, of_one in (
-        (designs.transient(**pulse, workers=2), lambda k: {name: value[k] for name, value in pulse.items()}),
-        (designs.transient(**samples, after=3.0), lambda k: {**samples, "tau": tau[k], "after": 3.0}),
-    ):
-        assert batch.status.tolist() == [Status.INVALID if k == 3 else 0 for k in range(n)] and np.isnan(batch.A[3])
-        for k in set(range(n)) - {3}:
-            one = Isolator(**{name: float(value[k]) for name, value in parameters.items()}).transient(**of_one(k))
-            for name in ("A", "tau_A", "a_max", "tau_a", "u_end", "tau_detaches"):
-                value = getattr(one, name)
-                assert getattr(batch, name)[k] == pytest.approx(
-                    math.nan if value is None else value, 1e-12, nan_ok=True
-                )
-            assert (batch.detaches[k], batch.rests[k]) == (one.detaches, one.rests)
-            if delta_h[k]:  # a single isolator whose springs never touch has no end
-                assert bool(batch.remarks[k] & Remark.BEYOND_REACH) == ("push-rod stands vertical" in one.message)
-            seen |= {(one.detaches, one.rests), one.message[:10]}
-    assert len(seen) == 6
-    softens = Duffing.many(1.0, [-1.0, 0.0], 0.0, 0.05).transient(acceleration=3.0, duration=[[3.0], [-1.0]])
-    assert softens.status.tolist() == [[Status.UNRESOLVED, Status.OK], [Status.INVALID] * 2]
-    orifice = Duffing.many(1.0, 0.5, 0.01, 0.02, c_2=[0.0, 0.1]).shock_spectrum(acceleration=0.4, duration=1.0)
-    viscous = Duffing(1.0, 0.5, 0.01, 0.02, c_2=0.1).shock_spectrum(acceleration=0.4, duration=1.0)
-    assert orifice.A[0] > orifice.A[1] and (orifice.A[1], orifice.ratio[1]) == (viscous.A[0], viscous.ratio[0])
-    flat = designs.transient(acceleration=[0.1, 0.2, 0.1], tau=[0.0, 1.0, 1.0])
-    assert (flat.status == Status.INVALID).all()
 
 
 def test_a_shock_in_si_units_is_that_of_the_mount():
@@ -408,3 +366,16 @@ def test_a_pulse_whose_frequency_is_beyond_doubles_is_refused():
         mount.transient(acceleration=[0.1, 0.2], tau=[0.0, 1e-310])
     many = Isolator.many(lam=3, r=2, delta_h=0.08, zeta=0.02).shock_spectrum(acceleration=0.1, duration=[1e-310, 1.0])
     assert many.status.tolist() == [Status.INVALID, Status.OK]
+
+
+def test_shocks_without_an_answer_have_a_status():
+    """A force that softens, a duration below zero, a load under which nothing rests, times that do not rise."""
+    softens = Duffing.many(1.0, [-1.0, 0.0], 0.0, 0.05).transient(acceleration=3.0, duration=[[3.0], [-1.0]])
+    assert softens.status.tolist() == [[Status.UNRESOLVED, Status.OK], [Status.INVALID] * 2]
+    designs = Duffing.many([1.0, -0.5, 1.0], [0.5, 0.5, -0.5], 0.01, 0.05, load=[0.3, 0.02, 0.6])
+    loaded = designs.transient(acceleration=0.8, duration=1.5)
+    assert loaded.stands.tolist() == [1, 2, 0] and loaded.status.tolist() == [0, 0, Status.UNRESOLVED]
+    flat = designs.transient(acceleration=[0.1, 0.2, 0.1], tau=[0.0, 1.0, 1.0])
+    assert (flat.status == Status.INVALID).all()
+    with pytest.raises(ValueError, match="either its duration"):
+        designs.transient(acceleration=0.8)

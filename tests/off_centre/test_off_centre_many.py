@@ -73,34 +73,6 @@ def test_what_the_message_of_a_single_answer_says_is_a_remark():
     assert {"load", "Omega", "F_0", "A_0", "B_0", "phi_0"} <= table.keys()
 
 
-def test_shocks_of_many_designs_begin_where_each_rests():
-    """The last two have two wells, and no place of rest."""
-    loads, alpha = np.array([0.3, 0.0, 0.02, 0.6]), np.array([1.0, 1.0, -0.5, 1.0])
-    designs = Duffing.many(alpha, [0.5, 0.5, 0.5, -0.5], 0.01, 0.05, load=loads)
-    tau = np.linspace(0.0, 1.5, 30)
-    pulse = 0.8 * np.sin(np.pi * tau / 1.5)
-    half, record = designs.transient(acceleration=0.8, duration=1.5), designs.transient(acceleration=pulse, tau=tau)
-    spectrum = designs.shock_spectrum(acceleration=0.8, duration=[[1.5], [3.0]])
-    assert spectrum.A.shape == (2, 4) and half.stands.tolist() == [1, 1, 2, 0]
-    for k in range(3):
-        single = Duffing(alpha[k], 0.5, 0.01, 0.05, load=loads[k])
-        for found, one in (
-            (half, single.transient(acceleration=0.8, duration=1.5)),
-            (record, single.transient(acceleration=pulse, tau=tau)),
-        ):
-            names = ("A", "tau_A", "a_max", "tau_a", "detaches", "rests", "u_end")
-            assert [getattr(found, name)[k] for name in names] == [getattr(one, name) for name in names]
-            assert ("several stable equilibria" in one.message) == (found.stands[k] > 1)
-        for row, pulse_of in enumerate(single.shock_spectrum(acceleration=0.8, duration=[1.5, 3.0])):
-            names = ("A", "a_max", "ratio", "detaches")
-            assert [getattr(spectrum, name)[row, k] for name in names] == [getattr(pulse_of, name) for name in names]
-    assert half.status[3] == Status.UNRESOLVED and np.isnan(half.A[3])
-    assert designs.transient(acceleration=0.8, duration=-1.0).status.tolist() == [Status.INVALID] * 4
-    with pytest.raises(ValueError, match="either its duration"):
-        designs.transient(acceleration=0.8)
-    assert {"load", "acceleration", "duration", "ratio"} <= spectrum.columns().keys()
-
-
 def test_batch_questions_without_asymmetric_answer_are_refused():
     with pytest.raises(ValueError, match="load is not available with contact = 'attached'"):
         Isolator.many(**TABLE_1, load=0.1, contact="attached")

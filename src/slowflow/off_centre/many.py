@@ -64,7 +64,8 @@ class OffCentreBatch(Batch):
         arguments, numbers = self.arguments, self._inputs
         known = dict(zip(numbers, np.broadcast_arrays(*numbers.values()), strict=True))
         laws = WITH_MEAN if any(name in numbers for name in WITH_MEAN) else ()
-        by = (*self._designs.mechanism.design_names, *(one.name for one in DAMPING), *laws, "load", *arguments)
+        moving = (name for name in arguments if name != "level_dB")  # of which no answer has a gradient
+        by = (*self._designs.mechanism.design_names, *(one.name for one in DAMPING), *laws, "load", *moving)
         columns = tuple(getattr(self, name) for name in names)
         several = columns[0].ndim > self.status.ndim
         slopes = np.full((*columns[0].shape, len(names), len(by)), np.nan)
