@@ -96,7 +96,7 @@ def test_it_isolates_from_the_frequency_that_is_told(rows):
 def test_the_peak_of_its_motion_isolates_later(verdict_of_scene):
     """Friction jumps, so that the peak of the waveform exceeds its first harmonic."""
     (at,) = re.findall(
-        r"below -20 dB from [\d.]+ Hz on for the first harmonic, from ([\d.]+) Hz", verdict_of_scene.message
+        r"below -20 dB from [\d.]+ Hz on for the first harmonic and from ([\d.]+) Hz", verdict_of_scene.message
     )
     step = 1 / (400 * float(at))
     motion = integrate(lambda half: FLOOR * np.cos(np.pi * half / 400), 0.0, 0.0, 400 * 150, step)
@@ -163,7 +163,7 @@ def test_its_loop_is_that_of_the_springs(scene):
     drawn, _, by_design = _loop_of_design(scene.oscillator, **scene.loop)
     goes = np.isin(np.round(x, 4), np.round(1e3 * drawn, 4))
     np.testing.assert_allclose(by_design, (own - own[goes].mean())[goes], atol=2e-3)
-    (rms,) = re.findall(r"<figcaption>[^<]*they differ by ([\d.]+) N RMS", report.html(scene))
+    (rms,) = re.findall(r"<figcaption>[^<]*They differ by ([\d.]+) N RMS", report.html(scene))
     assert float(rms) == pytest.approx(np.std((F - own)[goes]), rel=0.02)
 
 

@@ -56,17 +56,17 @@ NAMES = ("answer", "parameter")
 FEW = 2
 #: tables of what is asked at each forcing, and of what else a scene may ask for
 AT_EACH = {
-    "margins": "Margins against jumps and detachment; below 1 the limit is exceeded",
-    "peak": "The highest peak",
+    "margins": "Margins against jumps and detachment (a margin below 1 means that the limit is exceeded)",
+    "peak": "Peak of the response curve",
     "isolation": "Frequency above which the transmissibility stays below its limit",
-    "saddle_nodes": "Where a sweep jumps",
-    "hysteresis": "Bands with several stable motions",
+    "saddle_nodes": "Jumps of a frequency sweep",
+    "hysteresis": "Frequency bands with several stable motions",
 }
 ALSO = {
     "isolation": "Frequency above which the transmissibility stays below a level",
     "amplitudes": "Motions at the requested frequencies",
-    "cusps": "Where two folds are born or merge",
-    "isola_points": "Where isolated curves are born or merge",
+    "cusps": "Points at which two folds appear or merge",
+    "isola_points": "Points at which isolated curves appear or merge",
 }
 #: heads of the columns that compare with the equation of motion
 BY_MOTION = ("equation of motion", "error of averaging")
@@ -247,13 +247,12 @@ class Report:
             return
         if len(folds):
             jumps = zip(folds.kind.tolist(), getattr(folds, self.f).tolist(), strict=True)
-            at = ", ".join(f"{kind.replace('-', 's ')} at {_number(folds, x, self.f)}" for kind, x in jumps)
-            jumps_at = f"the isolator {at}"
+            *others, last = (f"{kind.removeprefix('jump-')} at {_number(folds, x, self.f)}" for kind, x in jumps)
+            yield f"the isolator jumps {', '.join(others)}{' and ' if others else ''}{last}."
         elif (lowest := _one(onset, f"{self.letter[0]}_SN")) is None:
-            jumps_at = "the isolator does not jump, nor does it at any other amplitude of the excitation"
+            yield "and at all other amplitudes of the excitation the isolator does not jump."
         else:
-            jumps_at = f"the isolator does not jump: jumps occur only above {lowest}"
-        yield f"{jumps_at}{';' if self.plain.breakpoints else '.'}"
+            yield f"the isolator does not jump; jumps occur only above {lowest}."
         if self.plain.breakpoints:
             yield self._detaching(F, margins)
         if peak and peak[0].A is not None:
@@ -272,11 +271,11 @@ class Report:
         most = _one((margins or [leaving])[0], least)
         if margins:
             stay = f"stay attached up to {most}" if most else "stay attached"
-            return f"its springs {'detach' if margins[0].detaches else stay}."
+            return f"Its springs {'detach' if margins[0].detaches else stay}."
         if most is None:
-            return f"{leaving.message}."
+            return f"{leaving.message[:1].upper()}{leaving.message[1:]}."
         attached = F < getattr(leaving, least)
-        return f"its springs {f'stay attached up to {most}' if attached else f'detach above {most}'}."
+        return f"Its springs {f'stay attached up to {most}' if attached else f'detach above {most}'}."
 
     def design(self) -> Iterator[str]:
         """The numbers that were given, and what they mean at rest."""
@@ -341,7 +340,7 @@ class Report:
                 pictures.breakpoints(ax, [length * end for end in self.plain.breakpoints], letter)
             pictures.legend(ax, pictures.axis(curves[0], self.letter), place="below")
             yield page.figure(
-                ax, f"{quantity} over frequency, a curve for each amplitude of the excitation; unstable motions dashed."
+                ax, f"{quantity} over frequency, for each amplitude of the excitation. Unstable motions are dashed."
             )
 
     def locus(self) -> Iterator[str]:
@@ -353,7 +352,7 @@ class Report:
     def spectrum(self) -> Iterator[str]:
         """A load spectrum, row by row."""
         for one in self.scene.of("spectrum"):
-            yield _table("One tone at a time, in the order of the table", self.scene.answer(one))
+            yield _table("Response to each row of the load spectrum, as a single tone", self.scene.answer(one))
 
     def shocks(self) -> Iterator[str]:
         """What the scene asks of shocks, by the equation of motion."""
@@ -363,7 +362,7 @@ class Report:
             pulses = [one.numbers() for one in queries]
             more = (*UNSHOWN, "x_cr", "u_cr", "t_A", "tau_A", "t_a", "tau_a", "t_detaches", "tau_detaches")
             stroke = _one(found[0], "x_cr", "u_cr")
-            remark = f'; "detaches" is "yes" if the stroke, {stroke}, is exceeded' if stroke else ""
+            remark = f" (the springs detach at {stroke})" if stroke else ""
             yield _table(
                 f"Shocks of the base, by the equation of motion{remark}",
                 *found,
@@ -389,7 +388,7 @@ class Report:
         """What the scene asks of random vibration, by statistical linearization."""
         for one in self._cases("random"):
             found: Any = self.scene.answer(one)
-            yield _table("Stationary motions under the spectral density, by statistical linearization", found)
+            yield _table("Stationary response to the spectral density, by statistical linearization", found)
             ax = pictures.psd(page.axes(), found, "below")
             yield page.figure(
                 ax, "The one-sided spectral density of the displacement of the mass, relative to its base."
@@ -406,7 +405,9 @@ class Report:
             difference = (
                 f"{rms / N:.3g} {of_F} RMS, {100 * rms / float(np.ptp(F) / 2):.2g} % of the amplitude of the force"
             )
-            yield page.figure(ax, f"The loop of one mount, measured and by this design; they differ by {difference}.")
+            yield page.figure(
+                ax, f"The measured loop of one mount and the loop of this design. They differ by {difference}."
+            )
 
     def tolerances(self) -> Iterator[str]:
         """What the scene asks of tolerances."""
@@ -414,7 +415,7 @@ class Report:
         if queries:
             shares = queries[0].arguments["within"].items()
             within = ", ".join(f"{page.inline(name)} within {100 * fraction:g} %" for name, fraction in shares)
-            yield f"<p>{within}; 95 % of the designs lie between low and high.</p>"
+            yield f"<p>Tolerances: {within}. For each result, 95 % of the designs lie between low and high.</p>"
         for one in queries:
             found: Any = self.scene.answer(one)
             yield _table(f"T{str(one)[1:]}", found)
@@ -446,7 +447,7 @@ class Report:
         ax = pictures.design_map(page.axes(), (name_x, columns / of_x), (name_y, rows / of_y), found)
         ax.plot(subject.nominal[x] / of_x, subject.nominal[y] / of_y, "o", color="white", markeredgecolor="black")
         what, over = EXCITATION[self.excitation], f"{x} and {y}"
-        yield page.figure(ax, f"Lowest {what} with jumps, over {over}; the circle marks this design.")
+        yield page.figure(ax, f"Lowest {what} with jumps, over {over}. The circle marks this design.")
 
     def trust(self) -> Iterator[str]:
         """Jumps by averaging, the second approximation and the equation of motion; amplitudes; curves."""
@@ -482,7 +483,7 @@ class Report:
             return
         of_F, of_f = self._heads("F_0", "Omega")
         heads = (of_F, "kind", f"{of_f}, averaged", "second approximation", *BY_MOTION)
-        caption = "Each jump by averaging, with higher harmonics, and by the equation of motion itself"
+        caption = "Jump frequencies by averaging, by the second approximation and by the equation of motion"
         yield page.table(caption, heads, rows)
 
     def _checked(self) -> Iterator[str]:
@@ -504,7 +505,7 @@ class Report:
                     rows.append((self._in_unit(F), f"{at:.4g}", f"{A / size:.5g}", *compared))
         heads = [*self._heads("F_0", "Omega"), f"averaged / {of_A}" if of_A else "averaged", *BY_MOTION]
         if rows:
-            yield page.table("The largest displacement by averaging and by the equation of motion itself", heads, rows)
+            yield page.table("The largest displacement by averaging and by the equation of motion", heads, rows)
         else:
             yield "<p>Not compared with the equation of motion: the scene requests amplitudes at no frequency.</p>"
 
@@ -522,10 +523,10 @@ class Report:
                 rows.append((self._in_unit(F), f"{known.ratio[top]:.3g}", *shares))
                 if message := in_units(known.message, self.mount.scales if self.mount else None):
                     at = f"{self._in_unit(F)} {self.unit}".rstrip()
-                    remarks.append(f"<p>At {at}, elsewhere on the curve: {page.inline(message)}.</p>")
+                    remarks.append(f"<p>Other points of the curve at {at}: {page.inline(message)}.</p>")
         if rows:
             heads = (*self._heads("F_0"), "friction / force", "median", "95th percentile")
-            yield page.table("Error of the highest stable amplitude, as measured for such isolators", heads, rows)
+            yield page.table("Error of the largest stable amplitude, measured on similar isolators", heads, rows)
         yield from remarks
 
     def _depths(self, F: float, left_out: list[str]) -> Iterator[str]:
@@ -570,7 +571,7 @@ class Report:
         yield f"<p>Equations of {escape(ledger['paper'])}, each proved by the derivation.</p>"
         if self.plain.load != 0:
             remark = "with the balance of the mean, which is not in the paper"
-            yield f"<p>Under a load they hold about a mean B, {remark}.</p>"
+            yield f"<p>Under a load they apply to motions about a mean B, {remark}.</p>"
         yield page.table(
             "Averaged equations and their origin", ("number", "quantity", "expression that vanishes, or value"), rows
         )

@@ -162,7 +162,7 @@ def _of_motion(scene: Any) -> Iterator[str]:
             Omega = {wave: _column(point, "Omega", mount) for wave, point in found.items() if not point.message}
             if Omega:
                 begins = (f"from {f:.4g}{' Hz' * mount} on for the {wave}" for wave, f in Omega.items())
-                yield f"{where} it is below {one.below:g} dB {', '.join(begins)}"
+                yield f"{where}, it is below {one.below:g} dB {' and '.join(begins)}"
             yield from (f"{where}, {wave}: {point.message}" for wave, point in found.items() if point.message)
 
 
