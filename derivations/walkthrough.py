@@ -262,7 +262,7 @@ DERIVATIVES = {
 
 def resultant(name: str, facts: Facts) -> tuple[str, str]:
     """A resultant, and the polynomial that it is."""
-    stated = getattr(facts.published, name)()
+    stated = getattr(published, name)()
     unknown, coefficient = symbols(sp.Symbol(stated.unknown)), stated.coefficients.partition("(")[0]
     of = f"{DERIVATIVES[stated.first]}, {DERIVATIVES[stated.second]}"
     left = rf"\mathrm{{Res}}_{{{symbols(sp.Symbol(stated.eliminated))}}} \left({of}\right)"
@@ -305,7 +305,7 @@ def numbers(facts: Facts) -> Iterator[str]:
         "Derived values are certified to the digits shown. The parameters are those of Table 1:",
         "",
     )
-    table = ", ".join(f"${latex(sp.Symbol(name))} = {value}$" for name, value in facts.published.TABLE_1.items())
+    table = ", ".join(f"${latex(sp.Symbol(name))} = {value}$" for name, value in published.TABLE_1.items())
     yield from (table + ".", "", "| number | published | derived | verdict |", "|---|---|---|---|")
     for name in NUMBERS:
         row = next(row for row in rows if row.id == name)
@@ -316,7 +316,7 @@ def numbers(facts: Facts) -> Iterator[str]:
         "",
     )
     yield from ("| F_0 | jump-up Ω | jump-up A | jump-down Ω | jump-down A |", "|---|---|---|---|---|")
-    for line in entries.table_2(rows, facts):
+    for line in entries.table_2(rows):
         cells = (entry["published"] + cell(entry) for entry in line.values())
         yield f"| {' | '.join(cells)} |"
     yield from (
@@ -335,7 +335,7 @@ def cell(entry: dict[str, str]) -> str:
 def derived() -> str:
     """The same, with the derivation of the paper's mechanism before it."""
     with balls.precision():
-        return walkthrough(Facts(derive([rod_spring.MECHANISM]), published))
+        return walkthrough(Facts(derive([rod_spring.MECHANISM])))
 
 
 if __name__ == "__main__":

@@ -46,9 +46,9 @@ def all_rows(facts: Facts) -> list[Row]:
 def files(results: Results) -> dict[str, str]:
     """LEDGER.md, ledger.json and table_1.py, by name."""
     with balls.precision():
-        facts = Facts(results, published)
+        facts = Facts(results)
         rows = all_rows(facts)
-        table_2 = entries.table_2(rows, facts)
+        table_2 = entries.table_2(rows)
         found = findings(facts, rows)
         cost = truncation.cost(facts)
     return {

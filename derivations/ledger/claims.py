@@ -16,7 +16,7 @@ from ..claims import claim
 from ..mechanisms.rod_spring import delta_h, lam, r
 from ..paper.slow_flow import I, R, m
 from ..symbols import F_0, A, Omega, mu, u, zeta
-from . import figures, measured
+from . import figures, measured, published
 from .balls import evaluate, rounded, sign, significant
 from .facts import Facts
 from .formulas import stiffness
@@ -416,5 +416,5 @@ def claim_rows(facts: Facts) -> list[Row]:
     decided |= {name: decided[other] for name, other in REPEATED.items()} | figures.decided(measured.load())
     return [
         Row(one.id, "claim", one.where, "", one.sentence, "", decided[one.id][0], evidence=decided[one.id][1])
-        for one in facts.published.CLAIMS
+        for one in published.CLAIMS
     ]

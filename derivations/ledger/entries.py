@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import replace
 from fractions import Fraction
 from itertools import groupby
 
@@ -11,13 +10,22 @@ import sympy as sp
 from flint import arb
 
 from ..mechanisms.rod_spring import delta_h
-from ..symbols import mu, zeta
+from ..symbols import mu, u, zeta
+from . import published
 from .balls import evaluate, rounded, significant
 from .facts import MESH, Facts
 from .formulas import Subject, stiffness
+from .judging import Judgement
 from .proofs import canonical
 from .rows import AMBIGUOUS, DIFFERS, IDENTICAL, INPUT, Row
 from .typeset import mathml
+
+
+def row_of(name: str, kind: str, where: str, quantity: str, judged: Judgement) -> Row:
+    """What is published somewhere, with its verdict."""
+    found = (judged.published, judged.derived, judged.verdict, judged.difference, judged.evidence)
+    return Row(name, kind, where, quantity, *found, mathml=tuple(map(mathml, judged.printed)))
+
 
 # ---- formulas -----------------------------------------------------------------------------------------------------
 
@@ -25,7 +33,7 @@ from .typeset import mathml
 def formula_rows(facts: Facts) -> list[Row]:
     """One row for each entry of FORMULAS, in the paper's order."""
     rows = []
-    for _, group in groupby(facts.published.FORMULAS, key=lambda f: (f.where, f.quantity)):
+    for _, group in groupby(published.FORMULAS, key=lambda f: (f.where, f.quantity)):
         readings = list(group)
         agreeing = [f for f in readings if facts.judgements[f.name].verdict != DIFFERS]
         for formula in readings:
@@ -36,36 +44,13 @@ def formula_rows(facts: Facts) -> list[Row]:
                 evidence.append(f"The proved reading: {agreeing[0].reading}.")
             if judgement.factor:
                 evidence.append(f"It is the derived expression times {judgement.factor}.")
-            rows.append(
-                Row(
-                    id=formula.name,
-                    kind="formula",
-                    where=formula.where,
-                    quantity=formula.quantity + (f" [{formula.reading}]" if formula.reading else ""),
-                    published=judgement.published,
-                    derived=judgement.derived,
-                    mathml=tuple(map(mathml, judgement.printed)),
-                    verdict=verdict,
-                    difference=judgement.difference,
-                    evidence=" ".join(filter(None, evidence)),
-                )
-            )
+            judged = replace(judgement, verdict=verdict, evidence=" ".join(filter(None, evidence)))
+            quantity = formula.quantity + (f" [{formula.reading}]" if formula.reading else "")
+            rows.append(row_of(formula.name, "formula", formula.where, quantity, judged))
     return rows
 
 
 # ---- Table 2 ------------------------------------------------------------------------------------------------------
-
-COLUMNS = ("F_0", "jump_up_Omega", "jump_up_A", "jump_down_Omega", "jump_down_A")
-
-
-@dataclass(frozen=True)
-class Entry:
-    """An entry of Table 2: derived to 12 digits, and what the printed value is the value of where it differs."""
-
-    verdict: str
-    derived: str
-    difference: str = ""
-    evidence: str = ""
 
 
 def decimals(printed: str) -> int:
@@ -82,25 +67,23 @@ def _halfway(value: arb, digits: int) -> str:
     return _truncated(value, digits) + "5"
 
 
-def table_2_entry(facts: Facts, row: int, column: str) -> Entry:
-    """The verdict on one entry, rows counted from 1."""
-    label = facts.published.TABLE_2[row - 1].F_0
-    printed = getattr(facts.published.TABLE_2[row - 1], column)
+def _in_table_2(facts: Facts, label: str, column: str, printed: str) -> Judgement:
+    """The verdict on one entry: derived to 12 digits, and what the printed value is the value of where it differs."""
     if column == "F_0":
-        if label.replace(".", "").isdigit():
-            return Entry(INPUT, label)
-        return Entry(IDENTICAL, significant(facts.forcing(label)), evidence="The name of the forcing.")
+        if printed.replace(".", "").isdigit():
+            return Judgement(INPUT, printed, printed)
+        return Judgement(IDENTICAL, printed, significant(facts.forcing(label)), evidence="The name of the forcing.")
     if label == "F_SN":
-        return Entry(IDENTICAL, "-", evidence="At the onset the two folds are one point, and nothing jumps.")
+        onset = "At the onset the two folds are one point, and nothing jumps."
+        return Judgement(IDENTICAL, printed, "-", evidence=onset)
     kind, quantity = column.rsplit("_", 1)
     kind = kind.replace("_", "-")
     value = getattr(facts.fold(label, kind), quantity)
-    derived = significant(value)
-    target = facts.example.u_cr if printed == "u_cr" else arb(printed)
     if printed != "u_cr" and rounded(value, decimals(printed)) == printed:
-        return Entry(IDENTICAL, derived)
-    difference = significant(target - value, 3)
-    return Entry(DIFFERS, derived, difference, _explained(facts, label, kind, quantity, printed, value))
+        return Judgement(IDENTICAL, printed, significant(value))
+    target = facts.example.u_cr if printed == "u_cr" else arb(printed)
+    evidence = _explained(facts, label, kind, quantity, printed, value)
+    return Judgement(DIFFERS, printed, significant(value), significant(target - value, 3), evidence=evidence)
 
 
 def _explained(facts: Facts, label: str, kind: str, quantity: str, printed: str, value: arb) -> str:
@@ -148,163 +131,99 @@ def _explained(facts: Facts, label: str, kind: str, quantity: str, printed: str,
 
 #: printed strings that are no decimals
 SYMBOLIC: dict[str, sp.Expr] = {"4/π": 4 / sp.pi, "π/4": sp.pi / 4, "π/2": sp.pi / 2, "πμ/4": sp.pi * mu / 4}
-
-
-def _measured(value: Callable[[Facts], arb], remark: Callable[[Facts], str] = lambda facts: "") -> Callable:
-    def entry(facts: Facts, printed: str) -> Entry:
-        x = value(facts)
-        if rounded(x, decimals(printed)) == printed:
-            return Entry(IDENTICAL, significant(x), evidence=remark(facts))
-        return Entry(DIFFERS, significant(x), significant(arb(printed) - x, 3), remark(facts))
-
-    return entry
-
-
-def _exact(value: Callable[[Facts], sp.Expr], remark: str = "") -> Callable:
-    def entry(facts: Facts, printed: str) -> Entry:
-        derived = sp.sympify(value(facts))
-        stated = SYMBOLIC[printed] if printed in SYMBOLIC else sp.Rational(*Fraction(printed).as_integer_ratio())
-        difference = canonical(stated - derived)
-        if difference.is_zero:
-            return Entry(IDENTICAL, sp.sstr(derived), evidence=remark)
-        return Entry(DIFFERS, sp.sstr(derived), difference.text(), remark)
-
-    return entry
-
-
-def _omega_cr(facts: Facts) -> str:
-    fold, at = facts.fold("0.0300", "jump-down"), facts.example.detachment
-    other = facts.example.frequencies(facts.example.u_cr, arb("0.03003"))[-1]
-    return (
-        f"The lowest force at A = u_cr is {significant(at.F_0)}, at the frequency Ω_cr. 0.9288 is the frequency of the "
-        f"jump-down fold at F_0 = 0.0300, {significant(fold.Omega)}, where A = {significant(fold.A)}, as in Table 2. "
-        f"(24) with A = u_cr has no real Ω at F_0 = 0.0300; at 0.03003 it has {significant(other, 5)}."
-    )
-
-
-def _stiffness_at(preload: str) -> Callable[[Facts], sp.Expr]:
-    def value(facts: Facts) -> sp.Expr:
-        alpha = stiffness(facts.results)
-        quasi_zero = sp.solve(alpha, delta_h)[0]
-        return alpha.subs(delta_h, {"none": sp.Integer(0), "quasi-zero": quasi_zero}[preload])
-
-    return value
-
-
-def _ratio(facts: Facts) -> sp.Expr:
-    return facts.results.flows[""].friction / mu
-
-
-def _degree(which: str) -> Callable[[Facts], sp.Expr]:
-    return lambda facts: sp.Integer(
-        facts.rod.saddle_node_onset.degree if which == "A_s" else facts.results.detachment[""].resultant.degree
-    )
-
-
-NUMBERS: dict[str, Callable] = {
-    "rod_angle": _exact(
-        lambda facts: sp.asin(facts.rod.oscillator.exact[0].subs(sp.Symbol("u", real=True), 0)),
-        "The force is odd: u = sin θ = 0 is an equilibrium.",
-    ),
-    "alpha_linear": _exact(_stiffness_at("none")),
-    "alpha_qzs": _exact(_stiffness_at("quasi-zero"), "At δ_h = 1/(λ r)."),
-    "envelope_threshold": _exact(_ratio),
-    "resultant_A_s_degree": _exact(_degree("A_s")),
-    "resultant_F_cr_degree": _exact(_degree("F_cr")),
-    "amplitude_limit": _exact(
-        lambda facts: facts.rod.oscillator.mechanism.reach, "The push-rod stands vertical at u = 1."
-    ),
-    "rod_angle_vertical": _exact(lambda facts: sp.asin(facts.rod.oscillator.mechanism.reach)),
-    "S_threshold": _exact(
-        lambda facts: sp.Rational(1, 2) if facts.S_is_one else sp.nan,
-        "S = 1 above it, proved; below it S > 1, see (37).",
-    ),
-    "S_value": _exact(lambda facts: sp.Integer(1) if facts.S_is_one else sp.nan, "For Ω > 1/2, Ω ≠ 1."),
-    "sticking_threshold": _exact(lambda facts: 1 / _ratio(facts)),
-    "sticking_exceeded": _exact(lambda facts: 1 / _ratio(facts)),
-    "conclusion_threshold": _exact(lambda facts: 1 / _ratio(facts)),
-    "F_cr_limit": _exact(
-        lambda facts: facts.results.flows[""].friction, "See the formula row: the fraction is inverted."
-    ),
-    "u_cr": _measured(lambda facts: facts.example.u_cr),
-    "F_cr": _measured(lambda facts: facts.example.detachment.F_0),
-    "Omega_cr": _measured(lambda facts: facts.example.detachment.Omega, _omega_cr),
-    "delta_h_limit": _measured(
-        lambda facts: evaluate(1 / (3 * sp.Rational(*facts.published.TABLE_1["r"].as_integer_ratio())), {}),
-        lambda facts: "(3 r)^-1 with Table 1's r.",
-    ),
-    "peak_shift": _measured(
-        lambda facts: evaluate(sp.sqrt(1 - 2 * zeta**2), {zeta: facts.example.zeta}),
-        lambda facts: (
-            "√(1 − 2ζ²), the root of the peak cubic for h = −A, to which h tends as A grows. At 0.040 and 0.050 the "
-            "peaks are at Ω = " + ", ".join(rounded(p.Omega, 4) for p in facts.peaks.values()) + "."
-        ),
-    ),
-    "F_SN": _measured(lambda facts: facts.example.onset.F_0),
-    "Omega_SN": _measured(lambda facts: facts.example.onset.Omega),
-    "A_SN": _measured(lambda facts: facts.example.onset.A),
-}
-
 #: printed with a bracket or a fraction bar that our text lost; the formula rows try both readings
 BRACKETS = {"6 r^-1": "captions of Figures 2, 3, 4", "1/6 r": "Table 1"}
 
 
+def _derived(facts: Facts) -> dict[str, tuple[sp.Expr | arb, str]]:
+    """What is derived in the place of numbers of the text, exact or certified, and a remark."""
+    example, rod = facts.example, facts.rod
+    force, reach = rod.oscillator.exact[0], rod.oscillator.mechanism.reach
+    alpha, friction = stiffness(facts.results), facts.results.flows[""].friction
+    fold, at = facts.fold("0.0300", "jump-down"), example.detachment
+    just_above = example.frequencies(example.u_cr, arb("0.03003"))[-1]
+    r = sp.Rational(*published.TABLE_1["r"].as_integer_ratio())
+    peaks = ", ".join(rounded(p.Omega, 4) for p in facts.peaks.values())
+    S, border = (sp.Integer(1), sp.Rational(1, 2)) if facts.S_is_one else (sp.nan, sp.nan)
+    sticking = (mu / friction, "")
+    return {
+        "rod_angle": (sp.asin(force.subs(u, 0)), "The force is odd: u = sin θ = 0 is an equilibrium."),
+        "alpha_linear": (alpha.subs(delta_h, 0), ""),
+        "alpha_qzs": (alpha.subs(delta_h, sp.solve(alpha, delta_h)[0]), "At δ_h = 1/(λ r)."),
+        "envelope_threshold": (friction / mu, ""),
+        "resultant_A_s_degree": (sp.Integer(rod.saddle_node_onset.degree), ""),
+        "resultant_F_cr_degree": (sp.Integer(facts.results.detachment[""].resultant.degree), ""),
+        "amplitude_limit": (reach, "The push-rod stands vertical at u = 1."),
+        "rod_angle_vertical": (sp.asin(reach), ""),
+        "S_threshold": (border, "S = 1 above it, proved; below it S > 1, see (37)."),
+        "S_value": (S, "For Ω > 1/2, Ω ≠ 1."),
+        "sticking_threshold": sticking,
+        "sticking_exceeded": sticking,
+        "conclusion_threshold": sticking,
+        "F_cr_limit": (friction, "See the formula row: the fraction is inverted."),
+        "u_cr": (example.u_cr, ""),
+        "F_cr": (at.F_0, ""),
+        "Omega_cr": (
+            at.Omega,
+            f"The lowest force at A = u_cr is {significant(at.F_0)}, at the frequency Ω_cr. 0.9288 is the frequency of "
+            f"the jump-down fold at F_0 = 0.0300, {significant(fold.Omega)}, where A = {significant(fold.A)}, as in "
+            "Table 2. (24) with A = u_cr has no real Ω at F_0 = 0.0300; at 0.03003 it has "
+            f"{significant(just_above, 5)}.",
+        ),
+        "delta_h_limit": (evaluate(1 / (3 * r), {}), "(3 r)^-1 with Table 1's r."),
+        "peak_shift": (
+            evaluate(sp.sqrt(1 - 2 * zeta**2), {zeta: example.zeta}),
+            "√(1 − 2ζ²), the root of the peak cubic for h = −A, to which h tends as A grows. At 0.040 and 0.050 the "
+            f"peaks are at Ω = {peaks}.",
+        ),
+        "F_SN": (example.onset.F_0, ""),
+        "Omega_SN": (example.onset.Omega, ""),
+        "A_SN": (example.onset.A, ""),
+    }
+
+
+def _compared(printed: str, derived: sp.Expr | arb, remark: str) -> Judgement:
+    """Whether an exact number is the printed one, and a certified one rounds to it."""
+    if isinstance(derived, arb):
+        same, shown = rounded(derived, decimals(printed)) == printed, significant(derived)
+        difference = "" if same else significant(arb(printed) - derived, 3)
+    else:
+        stated = SYMBOLIC[printed] if printed in SYMBOLIC else sp.Rational(*Fraction(printed).as_integer_ratio())
+        left, shown = canonical(stated - derived), sp.sstr(derived)
+        same, difference = left.is_zero, "" if left.is_zero else left.text()
+    return Judgement(IDENTICAL if same else DIFFERS, printed, shown, difference, evidence=remark)
+
+
+def _input(name: str, printed: str) -> Judgement:
+    """The verdict on a value that the author chose."""
+    if printed in BRACKETS:
+        both = f"Both readings are listed among the formulas, under {BRACKETS[printed]}."
+        return Judgement(AMBIGUOUS, printed, "", evidence=both)
+    rounding = "Table 1's 3747/1848 = 2.0276, rounded." if name.endswith("_r") and printed == "2.03" else ""
+    return Judgement(INPUT, printed, "", evidence=rounding)
+
+
 def number_rows(facts: Facts) -> list[Row]:
     """One row for each entry of NUMBERS: those of Tables 1 and 2 as tables, the rest as numbers."""
-    rows = []
-    for number in facts.published.NUMBERS:
-        entry = _number(facts, number.id, number.printed)
-        kind = "table" if number.id.startswith("table_") else "number"
-        rows.append(
-            Row(
-                id=number.id,
-                kind=kind,
-                where=number.where,
-                quantity=_quantity(facts, number.id) or number.symbol or number.id,
-                published=number.printed,
-                derived=entry.derived,
-                verdict=entry.verdict,
-                difference=entry.difference,
-                evidence=entry.evidence,
-            )
-        )
+    derived, rows = _derived(facts), []
+    for one in published.NUMBERS:
+        kind = "table" if one.id.startswith("table_") else "number"
+        if one.id in derived:
+            judged = _compared(one.printed, *derived[one.id])
+        elif one.entry:
+            judged = _in_table_2(facts, *one.entry, one.printed)
+        else:
+            judged = _input(one.id, one.printed)
+        rows.append(row_of(one.id, kind, one.where, one.symbol or one.id, judged))
     return rows
 
 
-def _quantity(facts: Facts, name: str) -> str:
-    """Which entry of Table 2 this is, in words."""
-    if not name.startswith("table_2_row_"):
-        return ""
-    row, column = name.removeprefix("table_2_row_").split("_", 1)
-    kind, _, quantity = column.rpartition("_")
-    label = facts.published.TABLE_2[int(row) - 1].F_0
-    return "F_0" if column == "F_0" else f"{kind.replace('_', '-')} {quantity} at {label}"
-
-
-def _number(facts: Facts, name: str, printed: str) -> Entry:
-    if name in NUMBERS:
-        return NUMBERS[name](facts, printed)
-    if name.startswith("table_2_row_"):
-        row, column = name.removeprefix("table_2_row_").split("_", 1)
-        return table_2_entry(facts, int(row), column)
-    if printed in BRACKETS:
-        return Entry(AMBIGUOUS, "", evidence=f"Both readings are listed among the formulas, under {BRACKETS[printed]}.")
-    if name.endswith("_r") and printed == "2.03":
-        return Entry(INPUT, "", evidence="Table 1's 3747/1848 = 2.0276, rounded.")
-    return Entry(INPUT, "")
-
-
-def table_2(rows: list[Row], facts: Facts) -> list[dict[str, dict[str, str]]]:
+def table_2(rows: list[Row]) -> list[dict[str, dict[str, str]]]:
     """Table 2 for programs: for each row and column what is published, derived, and the verdict."""
-    by_id = {row.id: row for row in rows}
-    return [
-        {
-            column: {
-                "published": by_id[f"table_2_row_{k}_{column}"].published,
-                "derived": by_id[f"table_2_row_{k}_{column}"].derived,
-                "verdict": by_id[f"table_2_row_{k}_{column}"].verdict,
-            }
-            for column in COLUMNS
-        }
-        for k in range(1, len(facts.published.TABLE_2) + 1)
+    shown = [
+        {"published": row.published, "derived": row.derived, "verdict": row.verdict}
+        for row in rows
+        if row.where == "Table 2"
     ]
+    width = len(published.COLUMNS)
+    return [dict(zip(published.COLUMNS, shown[k : k + width], strict=True)) for k in range(0, len(shown), width)]

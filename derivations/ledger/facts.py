@@ -9,7 +9,6 @@ import functools
 from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
-from types import ModuleType
 from typing import Any
 
 import sympy as sp
@@ -20,6 +19,7 @@ from ..paper.averaging import cycle_integral
 from ..paper.den_hartog import U, V
 from ..results import Results
 from ..symbols import F_0, A, Omega, h, mu, psi, tau, u, zeta
+from . import published
 from .balls import ball, evaluate, isolate, rounded, sign
 from .example import ATTACHED, Example, Point, Polynomials, polynomials
 from .formulas import GROUPS, MECHANISM, Subject, detached_derivative, shared_symbols, whole_averages
@@ -54,9 +54,8 @@ class MeshPoint:
 class Facts:
     """Numbers of the paper's example (Table 1) and of its other statements."""
 
-    def __init__(self, results: Results, published: ModuleType) -> None:
+    def __init__(self, results: Results) -> None:
         self.results = results
-        self.published = published
         self.rod = results.mechanisms[MECHANISM]
         self._folds: dict[str, list[Point]] = {}
         self._failed: list[Exception] = []
@@ -66,7 +65,7 @@ class Facts:
     @functools.cached_property
     def judgements(self) -> dict[str, Judgement]:
         """The verdict on every published function, by its name."""
-        return {f.name: self._judged(f.function) for f in self.published.FORMULAS}
+        return {f.name: self._judged(f.function) for f in published.FORMULAS}
 
     @functools.cached_property
     def subjects(self) -> dict[str, Subject]:
@@ -123,7 +122,7 @@ class Facts:
 
     def isolator(self, **changed: Fraction) -> Example:
         """Table 1, with changes."""
-        return Example(self.results, self._polynomials, {**self.published.TABLE_1, **changed})
+        return Example(self.results, self._polynomials, {**published.TABLE_1, **changed})
 
     def forcing(self, label: str) -> arb:
         """The forcing of a row of Table 2, or any decimal."""
@@ -176,7 +175,7 @@ class Facts:
     @functools.cached_property
     def variants(self) -> dict[str, Point]:
         """The jump-down fold at 0.050 for parameters that the text also prints."""
-        table, rounded_r = self.published.TABLE_1, Fraction("2.03")
+        table, rounded_r = published.TABLE_1, Fraction("2.03")
         changes = {
             "r = 2.03, δ_h as in Table 1": {"r": rounded_r},
             "r = 2.03, δ_h = 1/(6r)": {"r": rounded_r, "delta_h": 1 / (6 * rounded_r)},
@@ -214,7 +213,7 @@ class Facts:
     @functools.cached_property
     def other_onsets(self) -> list[tuple[list[arb], arb]]:
         """Positive roots of (33) and the valid one for isolators beside Table 1's."""
-        r = self.published.TABLE_1["r"]
+        r = published.TABLE_1["r"]
         changes: list[dict[str, Fraction]] = [
             {"zeta": Fraction(1, 100)},
             {"zeta": Fraction(1, 20)},
@@ -255,7 +254,7 @@ class Facts:
 
     def _preloaded(self, fraction: Fraction) -> Example:
         """Table 1 but for the preload, at this fraction of the quasi-zero-stiffness preload."""
-        table = self.published.TABLE_1
+        table = published.TABLE_1
         return self.isolator(delta_h=fraction / (table["lam"] * table["r"]))
 
     @functools.cached_property
@@ -363,7 +362,7 @@ class Facts:
     def table_2_differing(self) -> int:
         """Printed frequencies and amplitudes of Table 2 that are not roundings of the folds'."""
         wrong = 0
-        for row in self.published.TABLE_2[1:]:
+        for row in published.TABLE_2[1:]:
             for kind in ("jump-up", "jump-down"):
                 fold, name = self.fold(row.F_0, kind), kind.replace("-", "_")
                 for printed, value in (

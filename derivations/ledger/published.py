@@ -19,7 +19,7 @@ Conventions, valid for every function:
 """
 
 import tomllib
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from fractions import Fraction
 from pathlib import Path
 
@@ -55,13 +55,17 @@ class Table2Row:
 
 @dataclass(frozen=True)
 class Number:
-    """A number quoted in the paper: `printed` is the printed string, `sentence` the words around it."""
+    """A number quoted in the paper: `printed` is the printed string, `sentence` the words around it.
+
+    entry -- of Table 2: the forcing of its row, and its column
+    """
 
     id: str
     symbol: str
     printed: str
     where: str
     sentence: str
+    entry: tuple[str, ...] = ()
 
 
 # Section 2: the oscillator
@@ -585,6 +589,7 @@ TABLE_1: dict[str, Fraction] = {
     "zeta": Fraction(2, 100),
 }
 
+COLUMNS = tuple(one.name for one in fields(Table2Row))
 TITLE_2 = "Saddle node bifurcation points"
 TABLE_2: tuple[Table2Row, ...] = (
     Table2Row("F_SN", "-", "-", "-", "-"),
@@ -603,8 +608,9 @@ def _numbers(quoted):
                 yield Number(name, symbol, printed, where, sentence)
     for k, row in enumerate(TABLE_2, start=1):
         for column, printed in vars(row).items():
-            symbol = column.rpartition("_")[2] if column != "F_0" else column
-            yield Number(f"table_2_row_{k}_{column}", symbol, printed, "Table 2", TITLE_2)
+            kind, _, quantity = column.rpartition("_")
+            symbol = f"{kind.replace('_', '-')} {quantity} at {row.F_0}" if column != "F_0" else column
+            yield Number(f"table_2_row_{k}_{column}", symbol, printed, "Table 2", TITLE_2, (row.F_0, column))
 
 
 _QUOTED = tomllib.loads(Path(__file__).with_suffix(".toml").read_text(encoding="utf-8"))

@@ -12,6 +12,7 @@ from typing import Any
 from flint import arb, arb_mat
 
 from ..symbols import F_0, A, h, h_A
+from . import published
 from .balls import evaluate, significant
 from .example import ATTACHED, Example, coefficients
 from .facts import Facts
@@ -122,4 +123,4 @@ def cost(facts: Facts) -> list[dict[str, str]]:
 
 def forcings(facts: Facts) -> list[str]:
     """The forcings of Table 2 that are numbers."""
-    return [row.F_0 for row in facts.published.TABLE_2 if not row.F_0.startswith("F_")]
+    return [row.F_0 for row in published.TABLE_2 if not row.F_0.startswith("F_")]

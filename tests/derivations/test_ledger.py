@@ -20,7 +20,7 @@ import sympy as sp
 from flint import arb
 
 from derivations import ledger, symbols
-from derivations.ledger import balls, entries, proofs, render
+from derivations.ledger import balls, proofs, render
 from derivations.ledger import published as PUBLISHED
 from derivations.ledger.facts import Facts
 from derivations.ledger.findings import Contradiction, check_averages, check_formulas, key
@@ -43,7 +43,7 @@ def against(results: Results) -> dict[str, Subject]:
 @pytest.fixture(scope="module")
 def facts(results: Results) -> Iterator[Facts]:
     with balls.precision():
-        yield Facts(results, PUBLISHED)
+        yield Facts(results)
 
 
 @pytest.fixture(scope="module")
@@ -184,7 +184,7 @@ def mistaken(results: Results, change: Callable[[Any], Any]) -> Results:
 )
 def test_error_of_the_derivation_is_told_by_its_equation(results: Results, change: Callable[[Any], Any]) -> None:
     with balls.precision(), pytest.raises(Contradiction) as raised:
-        ledger.all_rows(Facts(mistaken(results, change), PUBLISHED))
+        ledger.all_rows(Facts(mistaken(results, change)))
     message = str(raised.value)
     assert "(21)" in message and "(H_1)" in message
     for word in ("published", "derived", "difference"):
@@ -199,7 +199,7 @@ def test_average_that_formulas_do_not_show_is_told(results: Results, regime: int
     value, *slopes = regimes[regime].derivatives
     regimes[regime] = replace(regimes[regime], derivatives=(value + 2 * symbols.A, *slopes))
     rod.__dict__["whole"] = replace(rod.whole, regimes=tuple(regimes))
-    facts = Facts(replace(results, mechanisms={**results.mechanisms, "rod_spring": rod}), PUBLISHED)
+    facts = Facts(replace(results, mechanisms={**results.mechanisms, "rod_spring": rod}))
     with pytest.raises(Contradiction) as raised:
         check_averages(facts)
     message = str(raised.value)
@@ -232,7 +232,7 @@ def test_table_2_has_a_row_for_every_entry(rows: list[Row], written: dict[str, A
     by_id = {row.id: row for row in rows if row.kind == "table"}
     assert len(written["table_2"]) == len(PUBLISHED.TABLE_2)
     for k, (row, record) in enumerate(zip(PUBLISHED.TABLE_2, written["table_2"], strict=True), start=1):
-        assert tuple(record) == entries.COLUMNS
+        assert tuple(record) == PUBLISHED.COLUMNS
         for column, entry in record.items():
             assert entry["published"] == getattr(row, column)
             assert entry["verdict"] == by_id[f"table_2_row_{k}_{column}"].verdict

@@ -19,7 +19,7 @@ from tests.derivations.test_ledger import mistaken
 @pytest.fixture(scope="module")
 def facts(results: Results) -> Iterator[Facts]:
     with balls.precision():
-        yield Facts(results, published)
+        yield Facts(results)
 
 
 @pytest.fixture(scope="module")
@@ -71,7 +71,7 @@ def test_a_wrong_derivation_is_told_by_its_equation(results: Results) -> None:
         balls.precision(),
         pytest.raises(Contradiction, match=r"\(21\)(.|\n)*published(.|\n)*derived(.|\n)*difference"),
     ):
-        walkthrough.walkthrough(Facts(wrong, published))
+        walkthrough.walkthrough(Facts(wrong))
 
 
 def test_a_name_is_set_as_the_paper_has_it() -> None:
