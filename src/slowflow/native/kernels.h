@@ -14,7 +14,7 @@
 
 enum {
     SF_MOST_OPERANDS = 64, /* as NumPy */
-    SF_BLOCK = 256 /* no loop is given more than a block, and whole vectors */
+    SF_BLOCK = 256         /* no loop is given more than a block, and whole vectors */
 };
 
 typedef void (*sf_loop)(ptrdiff_t n, const double *const *in, double *const *out);
