@@ -87,9 +87,9 @@ def _of_cubic(known: Mapping[str, Any], of: type[Scales], **settings: str) -> tu
 
 
 class Isolator(Oscillator):
-    __doc__ = f"""The high-static-low-dynamic-stiffness isolator of (1)-(7), whose springs detach from the rod at u_cr.
+    __doc__ = f"""The high-static-low-dynamic-stiffness isolator (1)-(7), whose horizontal springs detach at u_cr.
 
-    All numbers are dimensionless (4): stiffnesses over k_v, lengths over L, forces over k_v L.
+    All numbers are dimensionless (4): stiffnesses are divided by k_v, lengths by L, forces by k_v L.
 
 {described((*ROD_SPRING.design, *DAMPING, *DISSIPATION))}
     contact -- "throughout", or "attached": dry friction acts while the springs touch the push-rod, |u| < u_cr
@@ -180,10 +180,12 @@ class Isolator(Oscillator):
     ) -> Physical:
         """Make an isolator from its data sheet, with arguments and answers in newtons, metres and hertz.
 
-        Arguments are numbers in these units, or quantities of pint. Without `load` the vertical spring is assumed to be
-        preloaded by m g/k_v, so that m rests at the centre, where the push-rods are horizontal. A mount with another
-        load rests off the centre, at `rest()`, and its motions are asymmetric: answers then include a mean B. An
-        allowed number that seems to be in another unit, such as L = 80, gives a warning.
+        Arguments are numbers in these units, strings such as "0.4 N", or pint quantities. A number that seems to be in
+        another unit, such as L = 80, gives a warning.
+
+        The vertical spring is preloaded by m g/k_v, so that the mass m rests at the centre, where the push-rods are
+        horizontal. With another `load`, the mass rests off centre, at `rest()`, and results include the mean B of the
+        motion.
 
         Parameters
         ----------
@@ -299,7 +301,7 @@ class Isolator(Oscillator):
 
 
 class Duffing(Oscillator):
-    __doc__ = f"""u'' + 2 zeta u' + mu sign(u') + alpha u + beta u^3 = F_0 cos(Omega tau), one piece for all u.
+    __doc__ = f"""The Duffing oscillator u'' + 2 zeta u' + mu sign(u') + alpha u + beta u^3 = F_0 cos(Omega tau).
 
 {described((*DUFFING.design, *DAMPING, *DISSIPATION))}
     mu_s -- static friction, as in `Oscillator`

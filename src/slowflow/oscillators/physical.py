@@ -61,17 +61,17 @@ def _takes(question: Any) -> Mapping[str, inspect.Parameter]:
 class Physical(TakesAmplitude):
     """An oscillator in SI units: arguments and answers have forces in N, frequencies f in Hz, lengths in m.
 
-    A question takes the amplitude of the excitation as its first argument, or by name: a force F in N, the displacement
-    Y of the base in m or its acceleration a in m/s^2, or an unbalance U in kg m, the rotating mass times its radius.
-    Answers use the same letter: Y_SN or a_cr instead of F_SN and F_cr. Under base excitation each question accepts a as
-    well as Y: relative to the base, the mass moves as it would under a force of amplitude m a on a base at rest.
+    Most methods take the amplitude of the excitation as their first argument, or as a keyword: a force F in N, a
+    displacement Y of the base in m, an acceleration a of the base in m/s^2, or an unbalance U in kg m, the rotating
+    mass times its radius. Results use the same letter: Y_SN or a_cr instead of F_SN and F_cr. Under base excitation,
+    methods accept either Y or a.
 
     oscillator -- the dimensionless oscillator, or its second approximation
     scales     -- the mass, stiffness and length that make its numbers dimensionless (4)
     given      -- the arguments that it was made from, for `replace`
 
-    Objects are immutable. Arguments may also be quantities of pint or strings such as "0.3 g". Each question
-    corresponds to that of the dimensionless `Oscillator` of the same name; diagnostics and errors are in SI units.
+    Objects are immutable. Arguments may also be strings such as "0.3 g" or pint quantities. Each method corresponds to
+    that of the dimensionless `Oscillator` with the same name.
     """
 
     oscillator: Oscillator
@@ -91,7 +91,7 @@ class Physical(TakesAmplitude):
     @overload
     def many(self, **changes: Any) -> Any: ...
     def many(self, **changes: Any) -> Any:
-        """Make a batch of mounts: some of the data are replaced by arrays that broadcast, the others are this mount's.
+        """Make a batch of mounts from this mount, with some of its data replaced by arrays that broadcast.
 
         Parameters
         ----------
