@@ -7,7 +7,6 @@ import pickle
 import numpy as np
 import pytest
 import sympy as sp
-from scipy.integrate import solve_ivp
 
 from slowflow import Duffing, Isolator, Oscillator, derive
 from slowflow.answers.results import Remark
@@ -17,7 +16,7 @@ from slowflow.exact import shooting
 from slowflow.example import TABLE_1
 from slowflow_kernels import duffing
 from slowflow_kernels.conventions import Status
-from tests.oracles import averaged, counts
+from tests.oracles import averaged, by_time, counts
 from tests.sampling import slow
 
 #: an onset that only the truncation makes, negative stiffness at rest, the paper's isolator rubbing, one that sticks,
@@ -155,18 +154,15 @@ def test_a_motion_that_leaves_the_centre_is_not_stable():
 def escapes(oscillator, Omega, F_0, A, phi):
     """Whether the exact motion from a state of amplitude A runs away from the well within ten periods."""
 
-    def acceleration(tau, y):
-        u, v = y
-        force = oscillator.alpha * u + oscillator.beta * u**3
-        return v, F_0 * math.cos(Omega * tau) - force - 2 * oscillator.zeta * v
+    pull = lambda u: oscillator.alpha * u + oscillator.beta * u**3  # noqa: E731
+    push = lambda tau: F_0 * math.cos(Omega * tau)  # noqa: E731
 
     def far(tau, y):
         return abs(y[0]) - 10 * A
 
     far.terminal = True
     start = A * math.cos(phi), -A * Omega * math.sin(phi)
-    motion = solve_ivp(acceleration, (0, 20 * math.pi / Omega), start, events=far, rtol=1e-10, atol=1e-12)
-    return motion.status == 1
+    return by_time.motion(pull, push, oscillator.zeta, (0, 20 * math.pi / Omega), start, events=far).status == 1
 
 
 @pytest.mark.parametrize(

@@ -23,10 +23,10 @@ import mpmath as mp
 import numpy as np
 import pytest
 import sympy as sp
-from scipy.integrate import solve_ivp
 
 from slowflow import SlowflowError, derive, include
 from slowflow.app.cli import main
+from tests.oracles.by_time import turns_of
 from tests.sampling import slow
 
 u, k_1, k_2, gap, alpha, beta = sp.symbols("u k_1 k_2 gap alpha beta")
@@ -125,17 +125,10 @@ def test_its_exact_motion_returns_by_another_integrator(stop):
     numbers = {**NUMBERS, "mu": 0.0, "zeta": 0.05}
     Omega, F_0 = 1.2, 0.1
     motion = stop(**numbers).steady_state(Omega=Omega, F_0=F_0)
-    tau, x, v = motion.series(3)
-    period = 2 * math.pi / Omega
-
-    def rates(t, y):
-        return [y[1], F_0 * math.cos(Omega * t) - 2 * numbers["zeta"] * y[1] - force(y[0])]
-
-    done = solve_ivp(
-        rates, (tau[0], tau[0] + period), [x[0], v[0]], method="DOP853", rtol=1e-12, atol=1e-13, max_step=0.01
-    )
-    np.testing.assert_allclose(done.y[:, -1], [x[0], v[0]], atol=1e-7)
-    assert max(abs(done.y[0])) == pytest.approx(motion.A, rel=2e-5)
+    start = next(zip(*motion.series(3), strict=True))
+    end, farthest, _ = turns_of(((force,), ()), (0.0, 0.05), Omega, F_0, start, 1, max_step=0.01)
+    np.testing.assert_allclose(end, start[1:], atol=1e-7)
+    assert farthest == pytest.approx(motion.A, rel=2e-5)
 
 
 @pytest.mark.slow

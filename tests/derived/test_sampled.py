@@ -10,7 +10,6 @@ import mpmath as mp
 import numpy as np
 import pytest
 import sympy as sp
-from scipy.integrate import solve_ivp
 
 from slowflow import derive
 from slowflow.core import backend
@@ -18,6 +17,7 @@ from slowflow.core.validate import NotAvailable
 from slowflow.support.errors import NotSettled
 from tests.files import stored
 from tests.native.records import bent
+from tests.oracles import by_time
 
 CASES = stored("stated")
 DAMPING = {"mu": 0.01, "zeta": 0.03}
@@ -166,17 +166,8 @@ def test_second_approximation_and_exact_motion_are_the_forces():
     second, same = (each.second_approximation.saddle_nodes(F_0=0.05) for each in (one, other))
     np.testing.assert_allclose(second.Omega, same.Omega, rtol=1e-9)
     state = one.steady_state(Omega=1.1, F_0=0.1)
-    period = 2 * np.pi / 1.1
-
-    def f(x):
-        return math.copysign(touching(abs(x), **numbers) if abs(x) > 0.2 else abs(x), x)
-
-    def rates(t, y):
-        return y[1], 0.1 * np.cos(1.1 * t) - f(y[0]) - 0.06 * y[1] - 0.01 * np.sign(y[1])
-
-    done = solve_ivp(rates, (0, 60 * period), (0.0, 0.0), rtol=1e-8, atol=1e-10, max_step=period / 100)
-    last = done.t > 59 * period
-    assert np.abs(done.y[0][last]).max() == pytest.approx(state.A, rel=1e-4)
+    pull = lambda x: touching(x, **numbers) if x > 0.2 else x  # noqa: E731
+    assert by_time.largest(by_time.odd_of(pull), one, 1.1, 0.1, 60) == pytest.approx(state.A, rel=1e-4)
 
 
 def test_it_says_what_it_is():
@@ -248,39 +239,15 @@ def test_what_cannot_be_had_is_refused_when_it_is_stated():
 @pytest.mark.slow
 def test_motions_beyond_the_reach_are_those_of_the_function():
     """Own integration with the function itself: A = 3.4150, largest u of a half sine 3.5441."""
-    made = derive.mechanism("arctan", [(lambda u: u + 0.5 * np.arctan(u / 0.1), None)], {}, reach=1.0)
+    pull = lambda u: u + 0.5 * np.arctan(u / 0.1)  # noqa: E731
+    made = derive.mechanism("arctan", [(pull, None)], {}, reach=1.0)
     oscillator = made(**DAMPING)
-
-    def brute(forcing, turns, period, steps=4000):
-        """Largest |u| over the last turn by fixed steps of Runge and Kutta, friction as it is."""
-
-        def rates(tau, u, v, slip):
-            return v, forcing(tau) - 0.06 * v - 0.01 * slip - u - 0.5 * math.atan(u / 0.1)
-
-        u = v = largest = 0.0
-        h = period / steps
-        for i in range(turns * steps):
-            tau = h * i
-            slip = math.copysign(1.0, v if v != 0.0 else forcing(tau))
-            a = rates(tau, u, v, slip)
-            b = rates(tau + h / 2, u + h / 2 * a[0], v + h / 2 * a[1], slip)
-            c = rates(tau + h / 2, u + h / 2 * b[0], v + h / 2 * b[1], slip)
-            d = rates(tau + h, u + h * c[0], v + h * c[1], slip)
-            u += h / 6 * (a[0] + 2 * b[0] + 2 * c[0] + d[0])
-            v += h / 6 * (a[1] + 2 * b[1] + 2 * c[1] + d[1])
-            if i >= (turns - 1) * steps:
-                largest = max(largest, abs(u))
-        return largest
-
-    right = brute(lambda tau: 0.6 * math.cos(1.2 * tau), 90, 2 * math.pi / 1.2, steps=600)
-    assert right == pytest.approx(3.4150, abs=5e-4)
     motion = oscillator.steady_state(Omega=1.2, F_0=0.6)
-    assert motion.A == pytest.approx(right, abs=2e-3) and motion.A == pytest.approx(3.4150, abs=1e-4)
+    assert motion.A == pytest.approx(by_time.largest(pull, oscillator, 1.2, 0.6, 90), rel=1e-5)
     assert oscillator.sweep(Omega=[1.2], F_0=0.6).A[0] == pytest.approx(motion.A)
     # a half sine of the base, and the turn after it
     shock = oscillator.transient(acceleration=3.0, duration=4.0)
-    pulse = brute(lambda tau: -3.0 * math.sin(math.pi * tau / 4.0) if tau < 4.0 else 0.0, 1, 8.0)
-    assert shock.A == pytest.approx(pulse, abs=2e-3)
+    assert (shock.A, shock.a_max) == pytest.approx(by_time.shock(oscillator, pull, 3.0, 4.0, 8.0), abs=2e-3)
     assert "averaging does not evaluate the function" in shock.message
     assert oscillator.shock_spectrum(acceleration=3.0, duration=[4.0]).A[0] == pytest.approx(shock.A)
     several = made.many(**DAMPING)

@@ -73,33 +73,12 @@ def pulsed(force, acceleration, duration, zeta, end, state):
     return np.concatenate(found, axis=1)
 
 
-def by_scipy(iso, acceleration, duration, end):
-    """A and a_max by SciPy from switch to switch, the force by its formula."""
-
-    def push(t):
-        return -acceleration * math.sin(math.pi * t / duration) if t < duration else 0.0
-
-    def pull(u):
-        return math.copysign(iso.restoring_force().value(abs(u)), u)
-
-    A, largest, state, options = 0.0, 0.0, (0.0, 0.0), {"rtol": 1e-11, "atol": 1e-13, "max_step": 0.02}
-    for span in ((0.0, duration), (duration, end)):
-        for one in by_time.stretches(iso, pull, push, span, state, **options):
-            A = max(A, np.abs(one.u).max())
-            if one.slip:
-                passed = [pull(u) + 2 * iso.zeta * v + iso.mu * one.slip for u, v in zip(one.u, one.v, strict=True)]
-            else:  # the mass moves with its base
-                passed = [push(t) for t in np.linspace(*one.t[[0, -1]], 200)]
-            largest = max(largest, np.abs(passed).max())
-            state = one.u[-1], one.v[-1]
-    return A, largest
-
-
 @pytest.mark.parametrize(("acceleration", "duration"), [(0.05, 2.0), (0.4, 1.5), (-0.3, 6.0)])
 def test_shock_peaks_are_those_of_another_integrator(acceleration, duration):
     iso = isolator()
     found = iso.transient(acceleration=acceleration, duration=duration)
-    A, a_max = by_scipy(iso, acceleration, duration, duration + 8.0)
+    pull = by_time.odd_of(iso.restoring_force().value)
+    A, a_max = by_time.shock(iso, pull, acceleration, duration, duration + 8.0)
     assert found.A == pytest.approx(A, rel=1e-6) and found.a_max == pytest.approx(a_max, rel=2e-4)
     assert found.detaches == (A > iso.u_cr)
 

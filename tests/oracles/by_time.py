@@ -6,6 +6,7 @@ switching with the package.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from types import SimpleNamespace
@@ -16,6 +17,11 @@ from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
 Pull = Callable[[float], float]
+
+
+def odd_of(force: Callable[[Any], Any]) -> Pull:
+    """A force for all u, of one for u > 0."""
+    return lambda u: math.copysign(float(force(abs(u))), u)
 
 
 def motion(pull: Pull, push: Pull, zeta: float, span: tuple[float, float], state: Any, **options: Any) -> Any:
@@ -162,3 +168,24 @@ def largest(pull: Pull, osc: Any, Omega: float, F_0: float, turns: int, preload:
         if one.t[-1] > 0.9 * end:
             most = max(most, np.abs(one.u).max())
     return most
+
+
+def shock(
+    osc: Any, pull: Pull, acceleration: float, duration: float, end: float, step: float = 0.02
+) -> tuple[float, float]:
+    """The largest |u| and the largest force on the mass after a half sine of the base up to `end`."""
+
+    def push(t: float) -> float:
+        return -acceleration * math.sin(math.pi * t / duration) if t < duration else 0.0
+
+    A, largest, state, options = 0.0, 0.0, (0.0, 0.0), {"rtol": 1e-11, "atol": 1e-13, "max_step": step}
+    for span in ((0.0, duration), (duration, end)):
+        for one in stretches(osc, pull, push, span, state, **options):
+            A = max(A, np.abs(one.u).max())
+            if one.slip:
+                passed = [pull(u) + 2 * osc.zeta * v + osc.mu * one.slip for u, v in zip(one.u, one.v, strict=True)]
+            else:  # the mass moves with its base
+                passed = [push(t) for t in np.linspace(*one.t[[0, -1]], 200)]
+            largest = max(largest, np.abs(passed).max())
+            state = one.u[-1], one.v[-1]
+    return A, largest

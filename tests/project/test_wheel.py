@@ -21,6 +21,7 @@ from scipy.integrate import solve_ivp
 
 from tests.conftest import Once
 from tests.files import ROOT
+from tests.oracles.by_time import odd_of
 
 pytestmark = pytest.mark.slow
 SOURCES = ("pyproject.toml", "setup.py", "README.md", "LICENSE")
@@ -277,11 +278,6 @@ def turns(force: Callable[[Any], Any]) -> Callable[[float], list[float]]:
         return [float(Omega[k, 0]) for k in np.flatnonzero(np.diff(crossings))]
 
     return folds
-
-
-def odd_of(force: Callable[[Any], Any]) -> Callable[[float], float]:
-    """A force for all u, of one for u > 0."""
-    return lambda u: math.copysign(float(force(abs(u))), u)
 
 
 def integrated(
