@@ -6,15 +6,18 @@ from the truncated one, at the ledger's precision: what the truncation moves, no
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from fractions import Fraction
 from typing import Any
 
 from flint import arb, arb_mat
 
+from ..paper.restoring_force import Regime
+from ..results import Results
 from ..symbols import F_0, A, h, h_A
 from . import published
 from .balls import evaluate, significant
-from .example import ATTACHED, Example, coefficients
+from .example import ATTACHED, Example, Point, Polynomials, coefficients
 from .facts import Facts
 
 UNTRUNCATED = "rod_spring_untruncated"
@@ -22,56 +25,45 @@ UNTRUNCATED = "rod_spring_untruncated"
 STEP, REST = arb(2) ** -80, arb(2) ** -110
 
 
-class Untruncated:
-    """R^2 + I^2 - F_0^2 and half its slope for the untruncated force, at the parameters of an example."""
+class Untruncated(Example):
+    """An example with the averages of the untruncated force: the equations of its points are the same."""
 
-    def __init__(self, facts: Facts, example: Example) -> None:
-        derived = facts.results.mechanisms[UNTRUNCATED]
-        self.example, self.u_cr = example, example.u_cr
-        self.known = {**example.known, **coefficients(derived, example.parameters)}
+    def __init__(self, results: Results, of: Polynomials, parameters: Mapping[str, Fraction]) -> None:
+        super().__init__(results, of, parameters)
+        derived = results.mechanisms[UNTRUNCATED]
+        self.known |= coefficients(derived, parameters)
         self.regimes = derived.whole.regimes
 
+    def attached(self, amplitude: Any) -> dict[Any, Any]:
+        """A, h, h_A and the damping for A <= u_cr."""
+        return self._by(self.regimes[0], amplitude)
+
     def at(self, amplitude: arb) -> dict[Any, Any]:
-        """A, h, h_A and the damping."""
-        regime = self.regimes[0 if not amplitude > self.u_cr else 1]
+        """The same on the side of u_cr where the amplitude lies."""
+        return self._by(self.regimes[1], amplitude) if amplitude > self.u_cr else self.attached(amplitude)
+
+    def _by(self, regime: Regime, amplitude: Any) -> dict[Any, Any]:
         values = {**self.known, A: amplitude}
         for symbol, value in regime.lets:
             values[symbol] = evaluate(value, values)
         force, slope = (evaluate(form, values) for form in regime.derivatives)
         return {**values, h: force, h_A: slope}
 
-    def response(self, frequency: arb, amplitude: arb, forcing: arb) -> arb:
-        """F."""
-        return self.example.at_Omega("response", frequency, {**self.at(amplitude), F_0: forcing})
+    def fold_near(self, point: Point) -> list[arb]:
+        """Omega and A of the fold next to a point, at its forcing."""
 
-    def stability(self, frequency: arb, amplitude: arb) -> arb:
-        """F_A/2."""
-        return self.example.at_Omega("fold", frequency, self.at(amplitude))
+        def fold(w: arb, a: arb) -> list[arb]:
+            return [self.at_Omega("response", w, {**self.at(a), F_0: point.F_0}), self.stability(w, a)]
 
-    def fold(self, forcing: arb, frequency: arb, amplitude: arb) -> tuple[arb, arb]:
-        """Omega and A of the fold next to a point."""
-        return _newton(lambda w, a: [self.response(w, a, forcing), self.stability(w, a)], [frequency, amplitude])
+        return _newton(fold, [point.Omega, point.A])
 
-    def onset(self, frequency: arb, amplitude: arb) -> tuple[arb, arb, arb]:
-        """F_SN, Omega and A next to a point: F_A = 0 and its slope."""
+    def onset_near(self, point: Point) -> list[arb]:
+        """Omega and A next to a point where F_A and its slope vanish."""
 
         def cusp(w: arb, a: arb) -> list[arb]:
-            return [
-                self.stability(w, a),
-                (self.stability(w, a + STEP) - self.stability(w, a - STEP)) / (2 * STEP),
-            ]
+            return [self.stability(w, a), (self.stability(w, a + STEP) - self.stability(w, a - STEP)) / (2 * STEP)]
 
-        w, a = _newton(cusp, [frequency, amplitude])
-        return self.response(w, a, arb(0)).sqrt(), w, a
-
-    def detachment(self, frequency: arb) -> tuple[arb, arb]:
-        """F_cr and Omega_cr next to a frequency."""
-
-        def peak(w: arb) -> list[arb]:
-            return [self.example.at_Omega("peak", w, self.at(self.u_cr))]
-
-        (w,) = _newton(peak, [frequency])
-        return self.response(w, self.u_cr, arb(0)).sqrt(), w
+        return _newton(cusp, [point.Omega, point.A])
 
 
 def _newton(equations: Callable[..., list[arb]], start: list[arb]) -> list[arb]:
@@ -92,21 +84,20 @@ def _newton(equations: Callable[..., list[arb]], start: list[arb]) -> list[arb]:
 
 def cost(facts: Facts) -> list[dict[str, str]]:
     """A row for each quantity: what it is, truncated, untruncated, and the relative difference."""
-    exact = Untruncated(facts, facts.example)
+    exact = Untruncated(facts.results, facts.example.polynomials, facts.example.parameters)
     onset, detachment = facts.example.onset, facts.example.detachment
-    F_SN, *at_onset = exact.onset(onset.Omega, onset.A)
-    F_cr, Omega_cr = exact.detachment(detachment.Omega)
+    at_onset = exact.onset_near(onset)
     pairs = [
-        ("F_SN", onset.F_0, F_SN),
+        ("F_SN", onset.F_0, exact.forcing(*at_onset)),
         ("Omega_SN", onset.Omega, at_onset[0]),
         ("A_SN", onset.A, at_onset[1]),
-        ("F_cr", detachment.F_0, F_cr),
-        ("Omega_cr", detachment.Omega, Omega_cr),
+        ("F_cr", detachment.F_0, exact.detachment.F_0),
+        ("Omega_cr", detachment.Omega, exact.detachment.Omega),
     ]
-    for label in forcings(facts):
+    for label in (row.F_0 for row in published.TABLE_2 if not row.F_0.startswith("F_")):
         for kind in ("jump-up", "jump-down"):
             fold = facts.fold(label, kind)
-            w, a = exact.fold(facts.forcing(label), fold.Omega, fold.A)
+            w, a = exact.fold_near(fold)
             if (a > exact.u_cr) == (fold.regime == ATTACHED):
                 raise ArithmeticError(f"the fold at {label} changes its regime with the truncation")
             pairs += [(f"F_0 = {label}, {kind} Omega", fold.Omega, w), (f"F_0 = {label}, {kind} A", fold.A, a)]
@@ -119,8 +110,3 @@ def cost(facts: Facts) -> list[dict[str, str]]:
         }
         for name, truncated, untruncated in pairs
     ]
-
-
-def forcings(facts: Facts) -> list[str]:
-    """The forcings of Table 2 that are numbers."""
-    return [row.F_0 for row in published.TABLE_2 if not row.F_0.startswith("F_")]
