@@ -1,8 +1,8 @@
 """Which derived expression stands against which published function.
 
 In:  the derivation's results.
-Out: `subjects`, one `Subject` for each function of published.py, by its name: what to put in for the function's
-     arguments and what must come out. `judging` does the comparison.
+Out: `GROUPS`, which give one `Subject` for each function of published.py, by its name: what to put in for the
+     function's arguments and what must come out. `judging` does the comparison.
 
 A published relation lhs - rhs is fed the derived quantities and must give zero. Where an argument is not given here,
 the shared symbol of the same name is put in.
@@ -103,11 +103,6 @@ def fields(
         "degree": elimination.degree,
         "step": int(sp.gcd_list([sp.Integer(power) for power in powers])),
     }
-
-
-def subjects(results: Results) -> dict[str, Subject]:
-    """Every subject, in the paper's order."""
-    return {name: subject for group in GROUPS for name, subject in group(results).items()}
 
 
 def stiffness(results: Results) -> sp.Expr:

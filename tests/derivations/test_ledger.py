@@ -24,7 +24,7 @@ from derivations.ledger import balls, proofs, render
 from derivations.ledger import published as PUBLISHED
 from derivations.ledger.facts import Facts
 from derivations.ledger.findings import Contradiction, check_averages, check_formulas, key
-from derivations.ledger.formulas import Subject, subjects
+from derivations.ledger.formulas import Subject
 from derivations.ledger.judging import judge
 from derivations.ledger.rows import ALLOWED, AMBIGUOUS, DIFFERS, FALSE, IDENTICAL, VOCABULARY, Row
 from derivations.results import Results
@@ -37,7 +37,7 @@ NAMES = [formula.name for formula in PUBLISHED.FORMULAS]
 
 @pytest.fixture(scope="module")
 def against(results: Results) -> dict[str, Subject]:
-    return subjects(results)
+    return Facts(results).subjects
 
 
 @pytest.fixture(scope="module")
