@@ -1,7 +1,7 @@
-"""Custom mechanisms, derived at run time. Takes pieces of a force; returns a mechanism that makes oscillators.
+"""Custom spring models (mechanisms), derived at run time from the pieces of a force.
 
-The interface to the derivation, which is installed as `slowflow.derivation`, needs the extra `slowflow[derive]` and is
-imported by the first call.
+This needs the extra `slowflow[derive]`. The derivation, which is installed as `slowflow.derivation`, is imported by the
+first call.
 
     import sympy as sp
     from slowflow import derive

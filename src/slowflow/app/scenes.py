@@ -1,4 +1,4 @@
-"""Input files (scenes). Takes a TOML file with an oscillator, forcings and questions; returns the answers.
+"""Input files (scenes): TOML files with an oscillator, forces and the results to compute.
 
     [mount]                     # as Isolator.physical, in SI units; or [spring], as Duffing.physical; or [isolator],
                                 # [duffing], dimensionless
@@ -46,10 +46,10 @@
     k_v = [2000, "3 N/mm"]
     zeta = [0.02, 0.1]
 
-[spectrum], the record of a [shock], [psd] and [loop] may have `file = "columns.csv"` instead of lists, in the folder
-of the scene, see `slowflow.oscillators.measurements`. Only the requested questions are computed. A scene contains no
-code and no expressions: numbers, strings, lists. Errors raise `SceneError` with line, allowed values and the closest
-valid name.
+[spectrum], [shock], [psd] and [loop] may have `file = "columns.csv"` instead of lists; the path is relative to the
+folder of the scene, and `slowflow.oscillators.measurements` describes the file. A scene contains numbers, strings and
+lists, but no code and no expressions. An invalid scene raises `SceneError` with the line, the allowed values and the
+closest valid name.
 """
 
 from __future__ import annotations
