@@ -180,7 +180,7 @@ class Complete:
             lower = search.lower(A_max, F_0)
             if lower is None:
                 return best
-            known.append(search.descend(*lower))
+            known.append(search.descend(lower))
             if best is not None and known[-1].F_0 >= best.F_0:
                 raise NotSettled("a lower fold exists, but the search does not reach it")
 

@@ -19,14 +19,15 @@ import numpy as np
 from slowflow.core.mechanism import Flags, Ints
 from slowflow.core.model import Floats
 from slowflow.off_centre.flow import Slow
+from slowflow.off_centre.means import BALANCED
 from slowflow.off_centre.solution_sheets import Cells, Sheets, walks
 from slowflow.support.errors import NotSettled
 from slowflow.support.text import Sentence
 
 #: how often cells are cut on which the mean may turn back, and all of them
 CUTS = 3
-#: steps of Newton's method, how short one is after which there is no other, and how near it comes at least, beside A
-STEPS, SETTLED, NEAR = 8, 2.0**-48, 2.0**-30
+#: steps of Newton's method to a peak
+STEPS = 8
 #: by how much a frequency differs, beside the largest one, from what A and B of its state leave of it
 ROUNDED = 2.0**-20
 
@@ -77,7 +78,8 @@ def curves(
     if not (folds.size or states.size):
         return []
     for _ in range(CUTS):
-        turns = (cells.rising.lo <= 0) & (cells.rising.hi >= 0)
+        if not (turns := (cells.rising.lo <= 0) & (cells.rising.hi >= 0)).any():
+            break
         cells = Cells.joined([cells.take(~turns), sheets.cut(cells.take(turns))])
     doubt: tuple[float, float] | None = window
     for _ in range(CUTS):
@@ -94,9 +96,9 @@ def _line(of: Slow, sheets: Sheets, cells: Cells, folds: Floats, states: Floats)
     if (ranks := sheets.ranks(cells)) is None:
         return None
     (rank, side), known = ranks, np.concatenate((folds, states), axis=1)
-    middles, own = _balanced(of, sheets.middles(cells))
+    middles, own = of.steps.balanced(sheets.middles(cells))
     # not where a cell holds none of the balance, or the mean stiffness has no sign
-    own &= (side != 0) & (sheets.apart(cells, middles) <= NEAR * middles[0])
+    own &= (side != 0) & (sheets.apart(cells, middles) <= BALANCED * middles[0])
     x, cells, rank, side = np.concatenate((middles[:, own], known[1:]), 1), cells.take(own), rank[:, own], side[own]
     signs = np.sign(of.steps.at(known[1], known[2], 1).c[1])
     apart = np.where(side == signs[:, np.newaxis], sheets.apart(cells, known[1:, :, np.newaxis]), np.inf)
@@ -117,18 +119,6 @@ def _line(of: Slow, sheets: Sheets, cells: Cells, folds: Floats, states: Floats)
     ends = np.flatnonzero(np.append(True, np.append(part[1:] != part[:-1], True)))
     apart, roots = np.insert(x[:, order], ends, np.nan, axis=1), np.insert(Omega[order], ends, np.nan, axis=0)
     return _Line(apart, roots, np.insert(is_fold[order], ends, False, axis=0))
-
-
-def _balanced(of: Slow, x: Floats) -> tuple[Floats, Flags]:
-    """The mean balanced next to A and B, (2, n), and where it is."""
-    for _ in range(STEPS):
-        means = of.steps.at(x[0], x[1], 1)
-        slope = np.stack((means.s[1], means.c[1]))
-        change = slope * (means.c[0] - of.steps.load) / (slope * slope).sum(axis=0)
-        x = x - change
-        if not (np.abs(change) > SETTLED * np.abs(x[0])).any():
-            break
-    return x, np.asarray((np.abs(change) <= NEAR * x[0]).all(axis=0))
 
 
 def _traced(of: Slow, line: _Line, window: tuple[float, float]) -> list[Curve]:
@@ -190,7 +180,9 @@ def _peaks(of: Slow, x: Floats, Omega: Floats) -> Floats:
         Omega = found[np.arange(Omega.size), nearest]
         change = of.step(of.state(Omega, x, means))
         x = x - change
-    there = (np.abs(change) <= NEAR * x[0]).all(axis=0)
+        if (np.abs(change) <= BALANCED * x[0]).all():
+            break
+    there = (np.abs(change) <= BALANCED * x[0]).all(axis=0)
     return np.where(there, np.stack((Omega, *x)), np.nan)
 
 
@@ -241,7 +233,7 @@ def _with(of: Slow, curve: Curve, step: Ints, fraction: Floats, kept: bool) -> C
     """With points between others, by number of the step and how far that is gone, where these are told apart."""
     place, is_kept = curve.place, curve.is_kept
     start, end = place[:, step], place[:, step + 1]
-    x, own = _balanced(of, start[1:] + (end[1:] - start[1:]) * fraction)
+    x, own = of.steps.balanced(start[1:] + (end[1:] - start[1:]) * fraction)
     low, high = np.sort(np.stack((start[0], end[0])), axis=0)
     Omega = of.flow.frequencies(x[0], -2 * of.steps.at(x[0], x[1], 0).s[0], of.F_0)
     between = (Omega >= low[:, np.newaxis]) & (Omega <= high[:, np.newaxis])

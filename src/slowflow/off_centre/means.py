@@ -19,7 +19,7 @@ import numpy as np
 from slowflow.core import validate
 from slowflow.core.backend import SOLVER
 from slowflow.core.intervals import Elementary
-from slowflow.core.mechanism import Mechanism
+from slowflow.core.mechanism import Flags, Mechanism
 from slowflow.core.model import Floats
 from slowflow.off_centre.curved import Curved, Part
 from slowflow.off_centre.smooth import SINGULAR, Beyond, check, outwards
@@ -37,6 +37,8 @@ UNBOUNDED = "the outermost piece of the force does not grow: offset motions are 
 
 #: derivatives of the force that are asked for at most, as `off_centre.averaged` does
 ORDERS = 3
+#: steps of Newton's method, how short one is after which there is no other, and how near it comes at least, beside A
+STEPS, SETTLED, BALANCED = 8, 2.0**-48, 2.0**-30
 #: places at which a piece is looked at to bound it
 GRID = 64
 #: by how much a problem is taken to be larger than the longest length of its force
@@ -299,6 +301,17 @@ class Steps:
             return Means(c, s)
         others = self.curved.at(A, B, orders)
         return Means(*(tuple(map(np.add, *both)) for both in zip((c, s), others, strict=True)))
+
+    def balanced(self, x: Floats) -> tuple[Floats, Flags]:
+        """Where the mean is balanced next to A and B, (2, n), and whether Newton's method comes there."""
+        for _ in range(STEPS):
+            means = self.at(x[0], x[1], 1)
+            slope = np.stack((means.s[1], means.c[1]))
+            change = slope * (means.c[0] - self.load) / (slope * slope).sum(axis=0)
+            x = x - change
+            if not (np.abs(change) > SETTLED * np.abs(x[0])).any():
+                break
+        return x, np.asarray((np.abs(change) <= BALANCED * x[0]).all(axis=0))
 
     def averaged(self, A: Floats, B: Floats) -> tuple[Means, tuple[Floats, ...]]:
         """All means, and h, h_A, h_AA, h_AAA along the balance."""

@@ -15,12 +15,10 @@ Only folds that end a stable motion are looked at, those with c_1 = df_0/dB > 0.
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
 
 import numpy as np
-from scipy.optimize import brentq, minimize_scalar
 
 from slowflow.core.mechanism import Flags
 from slowflow.core.model import Floats
@@ -35,8 +33,10 @@ MOST_BOXES, FEW = 100_000, 2000
 #: how often boxes are cut in four: then both sides are as narrow as doubles allow, and the same box would come back;
 #: sides that end at 0 take a halving for each power of 2 that doubles have
 MOST_ROUNDS = 1100
-#: by how many values a root is told
-VALUES = 16
+#: positions on both sides of a point, in parts of a width, by which a least level or a root is told
+POSITIONS = np.linspace(-1.0, 1.0, 17)
+#: widths beside A + |B|: at first, at last, and within which values have their roundings only; steps at most
+WIDEST, NARROWEST, NEAR, MOST_STEPS = 0.05, 1e-6, 2.0**-36, 200
 
 
 @dataclass(frozen=True)
@@ -91,86 +91,68 @@ class Search:
     # ==== Down to the lowest ==========================================================================================
 
     @np.errstate(all="ignore")  # where the force jumps at the mean a slope has no bound
-    def descend(self, A: float, B: float) -> Lowest:
-        """From a point of the balance with a fold on it to the least level nearby."""
-        width = 0.05 * (A + abs(B))
-        for _ in range(200):
-            at = self._tangent_points(A, B)
-            found = minimize_scalar(
-                lambda distance, at=at: min(self._level(*at(distance)), 1e300),
-                bounds=(-width, width),
-                method="bounded",
-                options={"xatol": 0.02 * width},
-            )
-            lower = self._level(*at(found.x)) <= self._level(A, B)
-            if lower:
-                A, B = at(found.x)
-            if not lower or abs(found.x) < 0.5 * width:
-                width *= 0.05
-            if width < 1e-5 * (A + abs(B)):
+    def descend(self, x: Floats) -> Lowest:
+        """From A and B of a fold on the balance, (2, 1), to the least level nearby."""
+        width = WIDEST
+        for _ in range(MOST_STEPS):
+            at = self._near_tangent(x, width * POSITIONS)
+            lowest = int(np.argmin(self.folds(*at)[0]))
+            x = at[:, lowest : lowest + 1]
+            if 0 < lowest < POSITIONS.size - 1:
+                width *= 0.25
+            if width < NARROWEST:
                 break
-        return self._stationary(A, B)
+        return self._stationary(x)
 
-    def _tangent_points(self, A: float, B: float) -> Callable[[float], tuple[float, float]]:
-        """Points of the balance by their distance along its tangent."""
-        means = self.steps.at(np.array([A]), np.array([B]), 1)
-        slope = np.array((means.s[1][0], means.c[1][0]))
-        slope /= np.hypot(*slope)
+    def _near_tangent(self, x: Floats, distances: Floats) -> Floats:
+        """Points of the balance next to one, (2, n), by their distances along its tangent, relative to A + |B|."""
+        means = self.steps.at(x[0], x[1], 1)
+        tangent = np.stack((means.c[1], -means.s[1]))
+        at, there = self.steps.balanced(x + tangent / np.hypot(*tangent) * np.abs(x).sum() * distances)
+        return np.where(there, at, np.nan)
 
-        def at(distance: float) -> tuple[float, float]:
-            x = np.array((A, B)) + distance * np.array((slope[1], -slope[0]))
-            for _ in range(4):
-                if not x[0] > 0:
-                    break
-                means = self.steps.at(x[:1], x[1:], 1)
-                by = np.array((means.s[1][0], means.c[1][0]))
-                x = x - slope * (means.c[0][0] - self.steps.load) / (slope @ by)
-            return float(x[0]), float(x[1])
-
-        return at
-
-    def _level(self, A: float, B: float) -> float:
-        return float(self.folds(np.array([A]), np.array([B]))[0][0]) if A > 0 else np.inf
-
-    def _stationary(self, A: float, B: float) -> Lowest:
+    def _stationary(self, x: Floats) -> Lowest:
         """The nearest root of F_AA along the balance, or of F_Omega, near a least level."""
-        at, (level, Omega) = self._tangent_points(A, B), self.folds(np.array([A]), np.array([B]))
-        near = 2.0**-36 * (A + abs(B))
-        offsets = near * np.linspace(-1.0, 1.0, VALUES)
+        level, Omega = self.folds(*x)
         for width in (1e-6, 1e-5, 1e-4, 1e-3):
-            width *= A + abs(B)
             for name in ("cusp", "isola"):
-
-                def vanishes(distance: float, name: str = name) -> float:
-                    return self._slopes(*at(distance))[name]
-
-                if not vanishes(-width) * vanishes(width) < 0:
+                if (root := self._root(x, name, width)) is None:
                     continue
-                root = float(brentq(vanishes, -width, width, xtol=near / 16))
-                # by many values, each of which has its roundings: their line, and the mean of what is stationary
-                values = np.array([vanishes(root + one) for one in offsets.tolist()])
-                root -= float(values.mean() * (offsets @ offsets) / (offsets @ values))
-                levels = self.folds(*np.array([at(root + one) for one in offsets.tolist()]).T)
-                k = int(np.argmin(levels[0]))
-                if 0 < k < VALUES - 1 and levels[0][k] < levels[0].mean() * (1 - 2.0**-40) < np.inf:
+                at = self._near_tangent(root, NEAR * POSITIONS)
+                levels, found = self.folds(*at)
+                k = int(np.argmin(levels))
+                if 0 < k < POSITIONS.size - 1 and levels[k] < levels.mean() * (1 - 2.0**-40) < np.inf:
                     # just beyond an end at which the slope of the force jumps the level rises as a root does
-                    return Lowest(float(levels[0][k]), float(levels[1][k]), *at(root + offsets[k]), name)
-                if levels[0].mean() <= level[0] * (1 + 1e-9):
-                    return Lowest(float(levels[0].mean()), float(levels[1].mean()), *at(root), name)
-        return Lowest(float(level[0]), float(Omega[0]), A, B, "")
+                    return Lowest(float(levels[k]), float(found[k]), float(at[0, k]), float(at[1, k]), name)
+                if levels.mean() <= level[0] * (1 + 1e-9):
+                    return Lowest(float(levels.mean()), float(found.mean()), float(root[0, 0]), float(root[1, 0]), name)
+        return Lowest(float(level[0]), float(Omega[0]), float(x[0, 0]), float(x[1, 0]), "")
 
-    def _slopes(self, A: float, B: float) -> dict[str, float]:
-        at = np.array([A]), np.array([B])
-        (_, averages), Omega = self.steps.averaged(*at), self.folds(*at)[1]
-        return {
-            "cusp": float(self.flow.F_AA(Omega, at[0], averages)[0]),
-            "isola": float(np.asarray(self.flow.F_Omega(Omega, at[0], averages[0]))[0]),
-        }
+    def _root(self, x: Floats, name: str, width: float) -> Floats | None:
+        """Where what vanishes at a cusp, or at an isola, changes its sign within a width of a point of the balance."""
+        while width > NEAR:
+            values = self._vanishing(self._near_tangent(x, width * POSITIONS), name)
+            change = np.flatnonzero(values[1:] * values[:-1] < 0)
+            if not change.size:
+                return None
+            x, width = self._near_tangent(x, width * (POSITIONS[change[:1]] + POSITIONS[change[:1] + 1]) / 2), width / 8
+        # by the line through many values, which all have their roundings
+        values = self._vanishing(self._near_tangent(x, NEAR * POSITIONS), name)
+        return self._near_tangent(
+            x, -NEAR * values.mean(keepdims=True) * (POSITIONS @ POSITIONS) / (POSITIONS @ values)
+        )
+
+    def _vanishing(self, x: Floats, name: str) -> Floats:
+        (_, averages), Omega = self.steps.averaged(*x), self.folds(*x)[1]
+        return np.asarray(
+            self.flow.F_AA(Omega, x[0], averages) if name == "cusp" else self.flow.F_Omega(Omega, x[0], averages[0])
+        )
 
     # ==== No fold is lower ============================================================================================
 
-    def lower(self, A_max: float, known: float) -> tuple[float, float] | None:
-        """A point of the balance with a lower fold up to an amplitude, or None: none is below (1 - GAP) of it.
+    @np.errstate(all="ignore")
+    def lower(self, A_max: float, known: float) -> Floats | None:
+        """A point of the balance with a lower fold up to an amplitude, (2, 1), or None: none is below (1 - GAP) of it.
 
         Raises ArithmeticError where too many boxes stay undecided.
         """
@@ -180,22 +162,13 @@ class Search:
             rounds, looked_at = rounds + 1, looked_at + cells.chart.size
             if looked_at > MOST_BOXES or rounds > MOST_ROUNDS:
                 raise NotSettled("too many boxes of A and B may hold a lower fold")
-            with np.errstate(all="ignore"):
-                cells = cells.take(may(cells))
+            cells = cells.take(may(cells))
             if 0 < cells.chart.size <= FEW:
-                A, B = self.sheets.middles(cells)
-                for _ in range(4):
-                    means = self.steps.at(A, B, 1)
-                    with np.errstate(all="ignore"):
-                        B = B - (means.c[0] - self.steps.load) / means.c[1]
-                inside = np.isfinite(B) & (cells.B.lo <= B) & (cells.B.hi >= B)
-                level = np.full(A.size, np.inf)
-                level[inside] = self.folds(A[inside], B[inside])[0]
+                x, there = self.steps.balanced(self.sheets.middles(cells))
+                level = np.where(there, self.folds(*x)[0], np.inf)
                 if level.min() < known * (1 - GAP / 2):
-                    i = int(np.argmin(level))
-                    return float(A[i]), float(B[i])
-            with np.errstate(all="ignore"):
-                cells = self.sheets.cut(cells, most=MOST_BOXES - looked_at)
+                    return x[:, [int(np.argmin(level))]]
+            cells = self.sheets.cut(cells, most=MOST_BOXES - looked_at)
         return None
 
     def _may_be_lower(self, cells: Cells, below: float) -> Flags:
