@@ -71,7 +71,7 @@ def motion_of_sided(force: Sided) -> Iterator[Block]:
 
 def balance(force: Sided) -> Iterator[Block]:
     """The mean of the force and h by the means over its steps."""
-    yield r"The load $p$ balances the mean of the force; with means $\langle\cdot\rangle$ over $\psi$:"
+    yield r"The load $p$ equals the mean of the force. Means over $\psi$ are denoted by $\langle\cdot\rangle$:"
     of_motion = r"\langle f(B + A \cos\psi)"
     yield display(
         ("f_0", rf"{of_motion} \rangle - p = 0"),
@@ -137,7 +137,7 @@ def in_pieces(pieces: Sequence[sp.Expr], breakpoints: Sequence[sp.Expr]) -> Iter
 
 def equation_of_motion() -> Iterator[Block]:
     """(3)."""
-    yield "With displacements in $L$, forces in $k_v L$ and time in $1/\\omega_n$, $\\omega_n^2 = k_v/m$:"
+    yield "Displacements are in units of $L$, forces of $k_v L$ and times of $1/\\omega_n$, with $\\omega_n^2 = k_v/m$:"
     yield display(("u'' + 2 \\zeta u' + \\mu\\, \\mathrm{sign}\\, u' + f(u)", "F_0 \\cos \\Omega\\tau"), number="3")
 
 
@@ -162,10 +162,10 @@ def allowed(parameter: Parameter) -> str:
 
 def slow(equations: Averaged, flow: Formulas, displacement: str) -> Iterator[Block]:
     """(11), (19), (23)."""
-    yield rf"With $u = {displacement}$, $u' = -A \Omega \sin\psi$, $\psi = \Omega\tau + \phi$, averaged:"
+    yield rf"With $u = {displacement}$, $u' = -A \Omega \sin\psi$, $\psi = \Omega\tau + \phi$, averaging gives:"
     A_dot, A_phi_dot = (one.subs(sigma, Omega**2 - 1) for one in equations.slow_flow)
     yield display(("A'", A_dot), ("A\\phi'", A_phi_dot), number="19")
-    yield "Steady states, with $h = H - A$ the negative average of the whole force:"
+    yield "Steady states satisfy these equations, where $h = H - A$ is the negative average of the whole force:"
     yield display(
         (latex(friction), flow.friction),
         ("R", flow.R),
@@ -192,7 +192,7 @@ def regime_of(breakpoints: Sequence[sp.Symbol], count: int) -> Iterator[Block]:
 def integrals(average_: Quadrature) -> Iterator[Block]:
     """h and its slopes by integrals over the quarter cycle, and what moving angles add."""
     yield average(r" = -\frac{4}{\pi} \int_0^{\pi/2} f(A \sin t) \sin t \, dt")
-    yield "The integrals are summed by Gauss's rule, piece by piece, as derivatives are taken under the integral:"
+    yield "Derivatives are taken under the integral, and the integrals are computed by Gauss's rule, piece by piece:"
     orders = range(ORDERS + 1)
     names = [f"\\Sigma_{order}" for order in orders]
     slopes = ("f", "f'", "f''", "f'''")
@@ -254,7 +254,10 @@ def averages(derived: OfMechanism) -> Iterator[Block]:
 def response(flow: Formulas) -> Iterator[Block]:
     """(24), (30), and the polynomials in Omega."""
     yield display(("F", flow.F), ("F_A", flow.F_A), number="24, 30")
-    yield r"A state is stable where $F_A > 0$; folds are where $F = F_A = 0$. Both are quartics in $\Omega$:"
+    yield (
+        r"A state is stable if $F_A > 0$. At a fold, $F = F_A = 0$. Both functions are polynomials of degree 4 in "
+        r"$\Omega$:"
+    )
     quartics = (("F + F_0^2", flow.F + F_0**2), ("F_A/2", flow.F_A / 2))
     by_power = [(name, coefficients(value.subs(flow.lets), 4)) for name, value in quartics]
     powers = (0, 1, 2, 4)
@@ -275,15 +278,15 @@ def eliminated(derived: OfMechanism, flow: Formulas) -> Iterator[Block]:
     # of even powers h has multiples of 1/pi: elimination takes rational numbers
     if 1 < degree <= MOST_ELIMINATED and not first.has(sp.pi):
         yield (
-            "Up to the first breakpoint, if there is one, $h$ is a polynomial in $A$, and $\\Omega$ is eliminated.\n"
-            "Roots are candidates: elimination adds some, so each is checked in the original equations.\n"
-            "Folds at a forcing, $F = F_A = 0$:"
+            "Up to the first breakpoint, if any, $h$ is a polynomial in $A$, and $\\Omega$ can be eliminated.\n"
+            "Elimination adds roots, so each root must be checked in the original equations.\n"
+            "Folds at a given force satisfy $F = F_A = 0$:"
         )
         yield polynomial(critical_forcings.saddle_nodes(flow, whole), "a")
-        yield "Where two folds are born, $F_A = F_{AA} = 0$, a candidate for the lowest forcing with a fold:"
+        yield "Two folds appear where $F_A = F_{AA} = 0$, at a candidate for the lowest force with a fold:"
         yield polynomial(critical_forcings.saddle_node_onset(flow, whole), "b", number="33")
     if whole.breakpoints:
-        yield f"The lowest forcing that reaches $A = {latex(whole.breakpoints[0])}$, where $F = F_\\Omega = 0$:"
+        yield f"At the lowest force that reaches $A = {latex(whole.breakpoints[0])}$, $F = F_\\Omega = 0$:"
         yield polynomial(critical_forcings.detachment(flow), "d", number="34")
 
 
