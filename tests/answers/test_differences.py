@@ -65,7 +65,7 @@ def made(name: str, **numbers: float) -> Any:
     return mechanism(name, *(number for number in numbers if number not in ("mu", "zeta", "load")))(**numbers)
 
 
-ONE_SIDED = {"odd": False}
+ONE_SIDED, STOPS = {"odd": False}, ("stop", "stop_in_C")
 #: pieces by rising u: what differs in all at an end that moves, and jumps there; an odd force whose slope jumps at an
 #: end that moves; one that is free up to a gap, then ever stiffer; stops on either side, a stiffer side, even
 #: powers, a jump; forces that are averaged by sums
@@ -81,6 +81,7 @@ DERIVED: dict[str, tuple[Any, dict[str, Any]]] = {
     "jump": ([(u, g), (u + p + k * (u - g), None)], ONE_SIDED),
     **{name: (FORCES[name][0], {}) for name in ("soft_stop", "power", "hertz")},
     "letting_go": (AVERAGED["letting_go"], {}),
+    **{name: ([(k * u, g), (k * u + q * (u - g), None)], {"compile": name == "stop_in_C"}) for name in STOPS},
 }
 
 
@@ -154,6 +155,8 @@ SYSTEMS = {
     },
     **{name: system(name, {**FORCES[name][1], "mu": 0.01, "zeta": 0.03}, at(0.1), "folds")
        for name in ("soft_stop", "power", "hertz")},
+    **{name: system(name, {"k": 1.2, "q": 3.0, "g": 0.2, "mu": 0.01, "zeta": 0.05}, at(0.1, 1.2), SOME)
+       for name in STOPS},
     "letting_go": system("letting_go", {"k": 1.5, "gap": 0.5, "mu": 0.01, "zeta": 0.03}, at(0.1), "folds"),
     # mounts: a number of springs is whole
     **{

@@ -118,6 +118,7 @@ def test_broadcasting_and_chunks(kind):
     Omega, count = SOLVE[kind](A, h, *rest)
     max_count = 2 if kind == "peak" else 3
     assert Omega.shape == (7, 9, 401, max_count) and count.shape == (7, 9, 401)  # several chunks
+    assert count.dtype == np.int32
     for index in [(0, 0, 0), (3, 8, 17), (6, 8, 400)]:
         one, number = SOLVE[kind](A[index[0], 0, index[2]], h[index[1], 0], *rest)
         assert one.shape == (max_count,) and number.shape == ()

@@ -55,13 +55,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
 
 @pytest.fixture(scope="module")
 def stop(folder):
-    """Interpreted; compiled under another name, so that both are there."""
     return derive.mechanism(**STOP)
-
-
-@pytest.fixture(scope="module")
-def compiled(folder):
-    return derive.mechanism(**{**STOP, "name": "stop_in_C"}, compile=True)
 
 
 def force(x):
@@ -94,29 +88,6 @@ def test_its_average_is_that_of_its_force(stop, A):
 def test_its_force_is_what_was_stated(stop):
     x = np.linspace(-1, 1, 41)
     np.testing.assert_allclose(stop(**NUMBERS).force(x), [force(one) for one in x], rtol=1e-15, atol=1e-16)
-
-
-#: powers of the units of length and of frequency in each number: another unit makes another such oscillator
-LENGTH = {"gap": 1, "mu": 1, "F_0": 1, "A": 1, "F_SN": 1, "F_cr": 1, "u_cr": 1}
-FREQUENCY = {"k_1": 2, "k_2": 2, "mu": 2, "zeta": 1, "F_0": 2, "Omega": 1, "F_SN": 2, "F_cr": 2, "Omega_cr": 1}
-
-
-@pytest.mark.slow
-def test_gradients_hold_what_other_units_say(stop, compiled):
-    """Euler's theorem, on both paths; attached, on the stop, and where the stop is."""
-    for osc in (stop(**NUMBERS), compiled(**NUMBERS)):
-        onset, detachment = osc.saddle_node_onset(), osc.detachment()
-        found = [onset, detachment, osc.peak(0.04), osc.saddle_nodes(0.04), osc.amplitudes(Omega=[0.7, 1.1], F_0=0.04)]
-        for answer in found:
-            gradient = answer.gradient()
-            assert gradient.message == ""
-            for x in gradient.of:
-                value = np.asarray(getattr(answer, x))
-                for powers in (LENGTH, FREQUENCY):
-                    known = {**NUMBERS, "F_0": 0.04, "Omega": getattr(answer, "Omega", None)}
-                    terms = [powers.get(by, 0) * known[by] * gradient[x, by] for by in gradient.by]
-                    size = sum(map(abs, terms)) + abs(value)
-                    assert np.all(abs(sum(terms) - powers.get(x, 0) * value) < 1e-11 * size), (x, answer)
 
 
 @pytest.mark.slow

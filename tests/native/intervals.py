@@ -9,6 +9,7 @@ from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
+import flint
 import numpy as np
 
 from tests.native.compiler import HERE, ROOT, STRICT, compiled, pointer
@@ -18,9 +19,22 @@ ELEMENTARY = (
     *("exp", "log", "root", "cbrt", "sin", "cos", "tan", "sinh", "cosh", "tanh"),
     *("asin", "acos", "atan", "asinh", "acosh", "atanh", "log1p", "power"),
 )
-OPERATIONS = ("add", "sub", "mul", "div", "square", "sqrt", "atan2", "tenth")
-#: on pairs that know how far they may be off
-BOUNDED = (*OPERATIONS, "R_F", "R_D")
+#: on balls
+EXACT = {
+    "add": lambda x, y, *_: x + y,
+    "sub": lambda x, y, *_: x - y,
+    "mul": lambda x, y, *_: x * y,
+    "div": lambda x, y, *_: x / y,
+    "square": lambda x, *_: x * x,
+    "sqrt": lambda x, *_: x.sqrt(),
+    "atan2": lambda x, y, *_: flint.arb.atan2(x, y),
+    "tenth": lambda x, *_: flint.arb(0.1) * x,
+    "R_F": lambda *xyz: flint.acb.elliptic_rf(*xyz).real,
+    "R_D": lambda *xyz: flint.acb.elliptic_rd(*xyz).real,
+}
+#: all of them on pairs that know how far they may be off, others on all
+BOUNDED = tuple(EXACT)
+OPERATIONS = BOUNDED[:-2]
 
 
 class Arithmetic:

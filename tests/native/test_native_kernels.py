@@ -435,17 +435,6 @@ def test_the_angle_of_zeros_infinities_and_nan(atan2):
                 assert np.signbit(new) == np.signbit(old)
 
 
-def test_root_solvers_broadcast_as_gufuncs():
-    A = np.random.default_rng(6).uniform(0.1, 1, (4, 1))
-    Omega, count = roots.response_roots(A, -0.3, 0.01, 0.02, np.array([0.05, 0.3, 0.6]))
-    assert Omega.shape == (4, 3, 3)
-    assert count.shape == (4, 3)
-    assert count.dtype == np.int32
-    assert roots.peak_roots(0.5, -0.3, 0.01, 0.02)[0].shape == (2,)
-    assert roots.fold_roots(np.zeros((0, 2)), -0.3, -0.2, 0.01, 0.02)[0].shape == (0, 2, 3)
-    assert roots.response_roots(np.nan, 1.0, 1.0, 1.0, 1.0)[1] == -1
-
-
 @pytest.mark.parametrize("module", ["slowflow_kernels._native", "slowflow._native", "slowflow._exact"])
 def test_without_compiled_code_the_import_says_what_to_do(module):
     """Simulated: an extension module is not found."""
