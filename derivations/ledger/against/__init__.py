@@ -26,7 +26,7 @@ from ...mechanisms import duffing
 from ...paper.averaging import Averaged, averaged
 from ...paper.slow_flow import I, R, slow_flow
 from ...symbols import h
-from ..formulas import DIFFERENCE, Reading, Subject
+from ..formulas import same
 from ..judging import Judgement, judge
 from ..literature import Publication
 from ..rows import DIFFERS, FALSE, IDENTICAL, LOOSE, REWRITTEN, TRUE
@@ -98,27 +98,18 @@ def plain(function: Callable[..., Any]) -> str:
     return sp.sstr(value(function, {name: sp.Symbol(name, positive=True) for name in names}))
 
 
-def equal(
-    derived: sp.Expr,
-    arguments: Mapping[str, Any],
-    *,
-    rewriting: str = "",
-    remark: str = "",
-    how: str = DIFFERENCE,
-    sample: Mapping[sp.Symbol, sp.Rational] | None = None,
-) -> Judge:
-    """The published value with these arguments is the derived one, or the exact difference; `how` as of a `Subject`."""
-    reading = Reading(derived, rewriting)
-    subject = Subject((reading,), values=dict(arguments), how=how, sample=dict(sample or {}), remark=remark)
-    return lambda function: replace(judge(function, subject), published=plain(function))
+def equal(derived: sp.Expr, arguments: Mapping[str, Any], *, rewriting: str = "", **keywords: Any) -> Judge:
+    """The published value with these arguments is the derived one, or the exact difference; keywords of a `Subject`."""
+    subject = same(derived, rewriting, values=dict(arguments), **keywords)
+    return lambda function: judge(function, subject)
 
 
 def solves(residual: Callable[[sp.Expr], sp.Expr], arguments: Mapping[str, Any], derived: str) -> Judge:
     """The published value, put into a derived equation, solves it, or what is left."""
 
     def check(function: Callable[..., Any]) -> Judgement:
-        subject = Subject((Reading(sp.Integer(0), f"substitution into {derived}"),))
-        left = judge(lambda *, xp: residual(value(function, arguments)), subject)
+        vanishes = same(sp.Integer(0), f"substitution into {derived}")
+        left = judge(lambda *, xp: residual(value(function, arguments)), vanishes)
         return replace(left, published=plain(function), derived=derived)
 
     return check
