@@ -141,13 +141,48 @@ def _mean() -> Repeated:
     )
 
 
+#: A^2 and 1 - A^2; the integrals of `attached`
+_of_mean = sp.symbols("m k B C P", positive=True)
+
+
+@functools.cache
+def _of_attached() -> tuple[list[sp.Expr], sp.Expr]:
+    """A^(order - 1) d^order/dA^order of A P, and the slope of A P less P, in closed form."""
+    m, k, B, C, P = _of_mean
+
+    def by_m(expression: sp.Expr) -> sp.Expr:
+        """d/dm, where dD/dm = (B/(1 - m) - C)/2, dB/dm = C/2, dC/dm = (B/(1 - m)/2 - 2 C)/m."""
+        B_m, P_m = C / 2, (B / (1 - m) - C) / 2
+        C_m = (B / (2 * (1 - m)) - 2 * C) / m
+        return sum(sp.diff(expression, x) * dx for x, dx in ((m, 1), (B, B_m), (C, C_m), (P, P_m)))
+
+    def in_B_and_C(expression: sp.Expr) -> sp.Expr:
+        """A sum of B, C and P, each times a polynomial in m over a power of k = 1 - m."""
+        total = sp.Integer(0)
+        for symbol in (B, C, P):
+            numerator, denominator = sp.fraction(sp.cancel(sp.expand(expression).coeff(symbol, 1)))
+            power = sp.degree(denominator, m)
+            scale = sp.cancel(denominator / (1 - m) ** power)
+            total += symbol * sp.horner(sp.expand(numerator / scale), m) / k**power
+        return total
+
+    # with d/dA = 2 A d/dm
+    forms, current = [P], P
+    for order in range(1, ORDERS + 1):
+        # current stands for A^parity times a function of m
+        odd = order % 2
+        current = sp.cancel(current + 2 * m * by_m(current)) if odd else sp.cancel(2 * by_m(current))
+        forms.append(in_B_and_C(current))
+    return forms, 2 * m * in_B_and_C(by_m(P))
+
+
 def attached(a: sp.Expr, b: sp.Expr, steps: int, end: Corner | None = None) -> Regime:
     """A <= u_cr: (4/pi) times B, C = (D - B)/m and P = D - pi/4 from the mean, and the derivatives in B and C.
 
     At the `end` A is u_cr.
     """
-    m, quarter, k_c, k = sp.symbols("m quarter k_c k", positive=True)
-    B, C, P, e, tau = sp.symbols("B C P e tau", positive=True)
+    m, k, B, C, P = _of_mean
+    quarter, k_c, e, tau = sp.symbols("quarter k_c e tau", positive=True)
     a_1, b_1, e_1, square, total, squares = sp.symbols("a_1 b_1 e_1 square total squares", positive=True)
     last_a, last_b, last_e = (sp.Symbol(f"{name}_{steps - 1}", positive=True) for name in "abe")
     a_n, e_n = (sp.Symbol(f"{name}_{steps}", positive=True) for name in "ae")
@@ -168,35 +203,10 @@ def attached(a: sp.Expr, b: sp.Expr, steps: int, end: Corner | None = None) -> R
         (B, (1 - m * tau) / a_n),
         (C, 2 * tau / a_n),
     ]
-
-    def by_m(expression: sp.Expr) -> sp.Expr:
-        """d/dm, where dD/dm = (B/(1 - m) - C)/2, dB/dm = C/2, dC/dm = (B/(1 - m)/2 - 2 C)/m."""
-        B_m, P_m = C / 2, (B / (1 - m) - C) / 2
-        C_m = (B / (2 * (1 - m)) - 2 * C) / m
-        return sum(sp.diff(expression, x) * dx for x, dx in ((m, 1), (B, B_m), (C, C_m), (P, P_m)))
-
-    def in_B_and_C(expression: sp.Expr) -> sp.Expr:
-        """A sum of B, C and P, each times a polynomial in m over a power of k = 1 - m."""
-        total = sp.Integer(0)
-        for symbol in (B, C, P):
-            numerator, denominator = sp.fraction(sp.cancel(sp.expand(expression).coeff(symbol, 1)))
-            power = sp.degree(denominator, m)
-            scale = sp.cancel(denominator / (1 - m) ** power)
-            total += symbol * sp.horner(sp.expand(numerator / scale), m) / k**power
-        return total
-
-    # A^(order - 1) d^order/dA^order of A P, with d/dA = 2 A d/dm
-    forms, current = [P], P
-    for order in range(1, ORDERS + 1):
-        # current stands for A^parity times a function of m
-        odd = order % 2
-        current = sp.cancel(current + 2 * m * by_m(current)) if odd else sp.cancel(2 * by_m(current))
-        forms.append(in_B_and_C(current))
+    forms, intercept = _of_attached()
     rest = [a * A, a, 0, 0]
     derivatives = [-(rest[n] + b * (forms[n] * A if n % 2 == 0 else forms[n])) for n in range(ORDERS + 1)]
-    # A P less A times its slope
-    intercept = 2 * A * b * m * in_B_and_C(by_m(P))
-    return Regime((), (), tuple(lets), tuple(derivatives), intercept)
+    return Regime((), (), tuple(lets), tuple(derivatives), A * b * intercept)
 
 
 # --- detached: Gauss's rule ---

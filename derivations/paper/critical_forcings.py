@@ -76,8 +76,9 @@ def _factors(value: sp.Expr) -> tuple[sp.Rational, list[tuple[sp.Expr, int]]]:
     """A rational factor, and the irreducible ones with how often they are there, integers without a common divisor."""
     if value.is_Rational:
         return value, []
-    symbols = sp.Poly(value).gens
-    constant, factors = _to_flint(value, symbols, _ring(symbols)).factor()
+    polynomial = sp.Poly(value)
+    symbols = polynomial.gens
+    constant, factors = _to_flint(polynomial, symbols, _ring(symbols)).factor()
     found = [(_to_sympy(factor.to_dict(), symbols), int(count)) for factor, count in factors]
     return sp.Rational(int(constant.p), int(constant.q)), found
 
@@ -86,7 +87,7 @@ def _ring(symbols: Sequence[sp.Symbol]) -> fmpq_mpoly_ctx:
     return fmpq_mpoly_ctx.get([symbol.name for symbol in symbols], Ordering.lex)
 
 
-def _to_flint(expression: sp.Expr, symbols: Sequence[sp.Symbol], ring: fmpq_mpoly_ctx) -> fmpq_mpoly:
+def _to_flint(expression: sp.Expr | sp.Poly, symbols: Sequence[sp.Symbol], ring: fmpq_mpoly_ctx) -> fmpq_mpoly:
     terms = sp.Poly(expression, *symbols).terms()
     return ring.from_dict({powers: fmpq(int(value.p), int(value.q)) for powers, value in terms})
 
