@@ -485,6 +485,12 @@ def test_a_store_of_other_numbers_is_left_alone(change, named, tmp_path):
     assert files(tmp_path / "map.zarr") == before
 
 
+def test_a_store_of_another_forcing_shows_both(tmp_path):
+    over().store(tmp_path / "map.zarr", "peak", F_0=0.04)
+    with pytest.raises(ValueError, match=r"F_0: \[\[\], 0\.04\] there, \[\[\], 0\.05\] here"):
+        over().store(tmp_path / "map.zarr", "peak", F_0=0.05)
+
+
 def test_a_map_is_of_one_version(tmp_path, monkeypatch):
     over().store(tmp_path / "map.zarr", "detachment")
     ask, values = over()._query("detachment", 1)

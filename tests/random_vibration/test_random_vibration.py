@@ -335,9 +335,9 @@ def test_stationary_motions_are_those_of_a_scan(case):
 def test_the_mean_of_the_largest_is_that_of_rare_passages():
     """For many passages sigma (sqrt(2 ln n) + 0.5772/sqrt(2 ln n)) is near (Davenport)."""
     found = Duffing(1.0, 0.0, zeta=0.05).random(S_0=0.01)
-    tau = 1e6
-    root = math.sqrt(2 * math.log(2 * tau / math.tau))
-    assert found.largest(tau)[0] / found.u_rms[0] == pytest.approx(root + 0.5772 / root, rel=2e-3)
+    for tau in (1e6, 1e30, 1e300):
+        root = math.sqrt(2 * math.log(2 * tau / math.tau))
+        assert found.largest(tau)[0] / found.u_rms[0] == pytest.approx(root + 0.5772 / root, rel=2e-3)
 
 
 def test_the_response_spectrum_integrates_to_the_mean_square():
@@ -358,6 +358,9 @@ def test_the_absolute_displacement_is_that_of_mass_and_base():
         total += np.trapezoid(found.excitation.density(W) * y, W)
     assert found.absolute_rms() == pytest.approx([math.sqrt(total)], rel=1e-4)
     assert Isolator(**DESIGN, zeta=0.02).random(S_0=1e-4).absolute_rms().tolist() == [math.inf]
+    for ends in ([1e-80, 5.0], [0.1, 1e85]):
+        with pytest.raises(OverflowError, match="density of the base's displacement"):
+            Isolator(**DESIGN, zeta=0.02).random(psd=(ends, [1e-3, 2e-3])).absolute_rms()
     mount = Isolator.physical(**MOUNT).random(psd=ROAD)
     assert mount.absolute_rms()[0] == pytest.approx(0.080 * mount.answer.absolute_rms()[0])
     with pytest.raises(Refused, match="the base stands still"):

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 NONE = ("jumps", "detachment")
 #: of what the largest is limited: its columns in the answers about peaks, shocks, and in the mean
 AMOUNTS: Mapping[str, Mapping[str, str]] = {
-    "relative_displacement": {"peak": "A", "shock": "A", "random": "u_rms"},
+    "relative_displacement": {"peak": "u_max", "shock": "A", "random": "u_rms"},
     "absolute_acceleration": {"shock": "a_max", "random": "a_rms"},
 }
 TRANSMISSIBILITY = "transmissibility_dB"
@@ -185,7 +185,9 @@ def _at_forcing(scene: Any, one: Requirement, at: dict[str, float], mount: bool)
         value = math.inf if begins is None else begins
         return limit, value, "Hz" if mount else "", _over(limit, value), value <= limit, str(found.message)
     found = scene.ask("peak", **at)
-    return _amount(one, math.inf if found.A is None else found.A, mount, str(found.message))
+    loaded = (found.answer if mount else found).load is not None
+    value = _column(found, AMOUNTS[one.name]["peak"], mount) if loaded else found.A  # about the centre they are one
+    return _amount(one, math.inf if value is None else value, mount, str(found.message))
 
 
 def _under(scene: Any, one: Requirement, query: Any, under: str, mount: bool) -> tuple[Any, ...]:

@@ -24,8 +24,8 @@ OFFSET = (
     "stochastic averaging of the energy is available about the centre only, not with a load or an asymmetric force; "
     "measure() follows the motion in time"
 )
-#: by how many root mean squares the largest displacement exceeds them at most, and steps up to there
-FARTHEST, STEPS = 12.0, 4000
+#: root mean squares up to which displacements are counted at least, and beyond the likely one, and steps up to there
+FARTHEST, BEYOND, STEPS = 12.0, 6.0, 4000
 #: over natural frequencies how far up and down a picture goes
 SHOWN = 10.0
 
@@ -112,7 +112,8 @@ class RandomResponse(Drawn, Table, entry="Stationary"):
         """
         tau = validate.number("duration", duration, above=0.0)
         B, u, v = (one[:, np.newaxis] for one in (self.B, self.u_rms, self.v_rms))
-        level = (FARTHEST * u + np.abs(B)) * np.linspace(0.0, 1.0, STEPS)
+        likely = np.sqrt(2 * np.maximum(np.log(tau) + np.log(v / u), 0.0))
+        level = (np.maximum(FARTHEST, likely + BEYOND) * u + np.abs(B)) * np.linspace(0.0, 1.0, STEPS)
         beyond = np.maximum(level, np.abs(B))  # nearer ones than the mean are passed at least as surely as that
         survives = -np.expm1(-tau * crossings((-beyond, beyond), B, u, v))
         return np.asarray(np.trapezoid(survives, level, axis=1))

@@ -12,7 +12,7 @@ import numpy as np
 from slowflow.core import validate
 from slowflow.core.backend import EXACT
 from slowflow.core.mechanism import Floats
-from slowflow.support.errors import Refused
+from slowflow.support.errors import OutOfRange, Refused
 from slowflow_kernels import linearization
 
 #: what makes numbers complex, whose functions then have their slopes as imaginary parts
@@ -79,7 +79,11 @@ class Tabulated:
 
     def absolute(self, k: float, c: float) -> float:
         """Mean square of u + z, z'' = -w: k^2 I_0 + c^2 I_2 of G/Omega^4, which is linear in log-log too."""
-        of_z = EXACT.table(np.stack((self.Omega, self.G / self.Omega**4), axis=1))
+        with np.errstate(over="ignore", under="ignore"):
+            density = self.G / self.Omega**2 / self.Omega**2
+        if not ((density > 0) & np.isfinite(density)).all():
+            raise OutOfRange("the density of the base's displacement, psd over Omega^4, exceeds the range of doubles")
+        of_z = EXACT.table(np.stack((self.Omega, density), axis=1))
         I_0, I_2 = np.exp(np.frombuffer(EXACT.moments(of_z, math.log(k), math.log(c), 0.0, 0.0))[:2])
         return float(k**2 * I_0 + c**2 * I_2)
 
