@@ -450,17 +450,17 @@ def random() -> list[dict[str, Any]]:
             record = found.measure(samples=RANDOM_SAMPLES, records=24)
             cell = {"spring": spring, "mean": mean, "level": level, "band": band, "dry": dry, "motions": len(found)}
             near = int(np.hypot(found.B - B, found.u_rms - u).argmin())
-            ways = {"linearized": found[near]}
-            if band == math.inf and not load:
-                ways["by energy"] = found.by_energy
-            for way, one in ways.items():
-                cell[way] = [one.u_rms / record.u_rms - 1, one.v_rms / record.v_rms - 1]
+            # white noise has an exact density, which tells how far off the records are as well
+            true, of = (found.fokker_planck if band == math.inf else record), found[near]
+            for way, one in {"linearized": of, **({} if true is record else {"records": record})}.items():
+                cell[way] = [one.u_rms / true.u_rms - 1, one.v_rms / true.v_rms - 1]
+                if load:
+                    cell[way].insert(0, (one.B - true.B) / true.u_rms)
             cell["margin"] = [record.u_margin / record.u_rms, record.v_margin / record.v_rms]
             if load:
-                cell["linearized"].insert(0, (found.B[near] - record.B) / record.u_rms)
                 cell["margin"].insert(0, record.B_margin / record.u_rms)
                 cell["marked"] = bool(found.message)
-            out.append({**cell, "beyond": [ways["linearized"].beyond, record.beyond]})
+            out.append({**cell, "beyond": [of.beyond, true.beyond]})
     return out
 
 

@@ -34,8 +34,7 @@ sigma_u^2 (1 + e) are a power series in d and e, with the A_n at the first for c
 As E[He_n^2] = n!, higher orders are bounded by the mean square of f.
 
 White noise has a constant two-sided density S_0 (G = 2 S_0): its I_j follow from the moments of the linear oscillator.
-Of it there is a second approximation, for any odd force that pulls towards the centre: its energy E = v^2/2 + int f du
-changes slowly (Stratonovich, Roberts). `_by_energy` has the density of energies.
+Under it the density of u and v solves the Fokker-Planck equation, in a form that `_check_density` proves.
 """
 
 from __future__ import annotations
@@ -65,7 +64,6 @@ _acts = sp.Symbol("acts")
 
 _v = sp.Symbol("v", positive=True)
 #: over a cycle of one energy int |v| |du| and int r |du|
-W_1, lost = sp.symbols("W_1 lost", positive=True)
 
 #: a pole: its angle, sin(theta) = ratio; of the density there ln G and its slope by ln(Omega)
 theta, slope = sp.symbols("theta slope", real=True)
@@ -73,7 +71,7 @@ G = sp.Symbol("G", positive=True)
 #: at ln(Omega) = X, int dx/(x - X) less what quadrature has for it, and its slope by X: real and imaginary parts
 E_re, E_im, D_re, D_im = sp.symbols("E_re E_im D_re D_im", real=True)
 #: of arguments
-ORDER = (Omega, end, level, within, sigma_u, sigma_v, W_1, lost, S_0, theta, k, c)
+ORDER = (Omega, end, level, within, sigma_u, sigma_v, S_0, theta, k, c)
 ORDER += (slope, G, E_re, E_im, D_re, D_im, ratio, mu, zeta, c_2, c_3, zeta_2)
 
 
@@ -142,7 +140,7 @@ def linearization() -> Formulas:
     of.add("damping_force", sp.collect(square, sigma_v), text, "(3)", "level > 0")
     _response(of)
     _resonance(of)
-    _by_energy(of)
+    _check_density()
 
     @of.kernel("(3)", "k > 0, c > 0")
     def white() -> tuple[sp.Expr, sp.Expr]:
@@ -311,28 +309,21 @@ def _resonance(of: Formulas) -> None:
     of.add("resonance", found, text, "(3)", "0 < theta < pi/2, k > 0, c > 0")
 
 
-def _by_energy(of: Formulas) -> None:
-    """Density of u and v under white noise, by Itô's rule dE = (pi S_0 - v r) dtau + sqrt(2 pi S_0) v dB over a cycle.
+def _check_density() -> None:
+    """Of u and v under white noise: p = w q, where w is the density of a velocity that a force s(v) alone damps."""
+    D = sp.pi * S_0
+    v = sp.symbols("v", real=True)
+    q, r, f, V = sp.Function("q")(u, v), sp.Function("r")(u, v), sp.Function("f")(u), sp.Function("V")(u)
+    S = sp.Function("S")(v)
+    w, s = sp.exp(-S / D), sp.diff(S, v)
 
-    A cycle of an energy takes the time T = dW_1/dE, in which v^2 adds up to W_1 and what is lost to L = int r |du|. So
-    E drifts by (pi S_0 T - L)/T and spreads by 2 pi S_0 W_1/T; no probability flows where E has the density
-    T exp(-P), and u and v thus exp(-P), with dP/dE = L/(pi S_0 W_1). Viscous damping alone makes that exact.
-    """
-    E, v = sp.symbols("E v", real=True)
-    W, L, P, V = (sp.Function(name) for name in ("W_1", "L", "P", "V"))
-    noise = sp.pi * S_0
-    T, slope = sp.diff(W(E), E), L(E) / (noise * W(E))
-    density = T * sp.exp(-P(E))
-    flow = (noise * T - L(E)) / T * density - sp.diff(noise * W(E) / T * density, E)
+    def flux(p: sp.Expr, force: sp.Expr, damping: sp.Expr) -> sp.Expr:
+        return (force + damping) * p + D * sp.diff(p, v)
+
     claim(
-        "the stationary density of the energy has no probability flux", sp.simplify(flow.subs(sp.diff(P(E), E), slope))
+        "the flux of a density `w q` along `v` is `w ((f + r - s) q + pi S_0 q_v)`",
+        sp.simplify(flux(w * q, f, r) / w - (f + r - s) * q - D * sp.diff(q, v)),
     )
-
-    slope = lost / (noise * W_1)
-    viscous = slope.subs(lost, 2 * zeta * W_1)
-    density = sp.exp(-viscous * (v**2 / 2 + V(u)))
-    slows = (2 * zeta * v + sp.diff(V(u), u)) * density + noise * sp.diff(density, v)
-    flow = sp.diff(slows, v) - v * sp.diff(density, u)
+    density = sp.exp(-2 * zeta / D * (v**2 / 2 + V))
+    flow = sp.diff(flux(density, sp.diff(V, u), 2 * zeta * v), v) - v * sp.diff(density, u)
     claim("with viscous damping this density solves the stationary Fokker-Planck equation", sp.simplify(flow))
-    text = "Slope of P by the energy, from integrals over a cycle: under white noise u and v have the density exp(-P)."
-    of.add("energy_loss", slope, text, "(3)", "W_1 > 0, S_0 > 0")

@@ -13,8 +13,8 @@ import numpy as np
 from slowflow.support.backend import from_c
 
 __all__ = [
-    "crossings", "damping_force", "energy_loss", "equivalent_damping", "over_displacements", "resonance",
-    "response", "steepest", "white",
+    "crossings", "damping_force", "equivalent_damping", "over_displacements", "resonance", "response", "steepest",
+    "white",
 ]
 
 
@@ -76,14 +76,6 @@ def response(Omega: Any, k: Any, c: Any) -> tuple[Any, Any, Any]:
     Z = t1 + t2 * t2
     t3 = 2.0 / Z
     return Z, -k * t2 * t3, -t1 * t3
-
-
-def energy_loss(W_1: Any, lost: Any, S_0: Any) -> Any:
-    """Slope of P by the energy, from integrals over a cycle: under white noise u and v have the density exp(-P).
-
-    Equation (3). Domain: W_1 > 0, S_0 > 0. Operations: 3.
-    """
-    return 0.31830988618379069 * lost / (S_0 * W_1)
 
 
 def white(S_0: Any, k: Any, c: Any) -> tuple[Any, Any]:

@@ -53,9 +53,7 @@ def test_random_vibration_is_off_by_what_is_said():
         most = MOST_DRY_ABOUT if "marked" in row else MOST_DRY
         if (row["spring"] == "isolator" and row["dry"] <= most and not in_a_band) or not row.get("marked", True):
             assert np.abs(row["linearized"]).max() < 0.05
-        if row["dry"] <= 0.8:
-            # and the record's own error
-            assert (np.abs(row.get("by energy", 0.0)) < 0.01 + np.array(row["margin"])).all()
+        assert (np.abs(row.get("records", 0.0)) < row["margin"]).all()
 
 
 def test_limits_of_random_vibration_are_the_measured_errors():

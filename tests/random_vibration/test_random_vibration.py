@@ -9,6 +9,8 @@ import pytest
 from mpmath import mp, mpf
 from scipy.integrate import quad
 from scipy.optimize import brentq
+from scipy.sparse import diags_array, eye_array, kron
+from scipy.sparse.linalg import splu
 
 from slowflow import Duffing, Isolator, Refused
 from slowflow.app.scenes import read
@@ -584,16 +586,24 @@ def test_records_have_the_exact_stationary_density(one, S_0, u_rms):
     assert found.u_rms[0] == pytest.approx(u_rms, rel=0.05)
 
 
-@pytest.mark.parametrize(("one", "S_0", "u_rms"), WITHOUT_FRICTION)
-def test_cycles_have_the_exact_density_without_friction(one, S_0, u_rms):
-    found = one.random(S_0=S_0).by_energy
-    assert found.u_rms == pytest.approx(u_rms, abs=6e-12)
-    assert found.v_rms == pytest.approx(math.sqrt(math.pi * S_0 / (2 * one.zeta)), rel=1e-9)
+@pytest.mark.parametrize(
+    ("one", "S_0"),
+    (
+        *((one, S_0) for one, S_0, _ in WITHOUT_FRICTION),
+        (Duffing(-1.0, 1.0, zeta=0.05), 4e-3),
+        (Duffing(-1.0, 1.0, zeta=0.05, load=0.1), 4e-3),
+        (Isolator(**DESIGN, zeta=1e-4, load=0.04), 2e-6),
+    ),
+)
+def test_the_density_without_friction_is_exact(one, S_0):
+    found = one.random(S_0=S_0).fokker_planck
+    assert (found.B, found.u_rms) == pytest.approx(exact_moments(one, S_0), rel=2e-5, abs=1e-12)
+    assert found.v_rms == pytest.approx(math.sqrt(math.pi * S_0 / (2 * one.zeta)), rel=2e-6)
 
 
-def test_cycles_of_a_linear_spring_have_closed_integrals():
-    """A cycle has the path 4 a, the area pi a^2 and int v^2 |du| = 8 a^3/3; a sine has half of a^2, 3/8 of a^4."""
-    mu, zeta, c_2, S_0 = 0.1, 0.05, 0.2, 0.02
+def test_the_density_of_a_linear_spring_has_closed_integrals():
+    """Where little damping acts in a cycle: of the amplitude, by the loss in a cycle over pi S_0 times its area."""
+    mu, zeta, c_2, S_0 = 1e-4, 5e-5, 2e-4, 2e-5
 
     def mean(power):
         def density(a):
@@ -602,55 +612,58 @@ def test_cycles_of_a_linear_spring_have_closed_integrals():
 
         return quad(density, 0, 12, epsrel=1e-12)[0]
 
-    found = Duffing(1.0, 0.0, mu=mu, zeta=zeta, c_2=c_2).random(S_0=S_0).by_energy
+    found = Duffing(1.0, 0.0, mu=mu, zeta=zeta, c_2=c_2).random(S_0=S_0).fokker_planck
     square = mean(2) / mean(0) / 2
-    assert found.u_rms**2 == pytest.approx(square, rel=1e-9)
-    assert found.v_rms**2 == pytest.approx(square, rel=1e-9)
-    assert found.kurtosis == pytest.approx(0.375 * mean(4) / mean(0) / square**2, rel=1e-9)
-    # r^2 over a cycle, |sin| to the first four powers
-    means = [mean(n) / mean(0) * factor for n, factor in enumerate((1, 2 / math.pi, 1 / 2, 4 / (3 * math.pi), 3 / 8))]
-    assert found.a_rms**2 == pytest.approx(square + np.convolve([mu, 2 * zeta, c_2], [mu, 2 * zeta, c_2]) @ means)
+    assert found.u_rms**2 == pytest.approx(square, rel=1e-5)
+    assert found.v_rms**2 == pytest.approx(square, rel=1e-5)
+    assert found.kurtosis == pytest.approx(0.375 * mean(4) / mean(0) / square**2, rel=5e-5)
 
 
-def test_cycles_with_all_damping_have_their_density():
-    """Of u and v it is exp(-P) of their energy, P by the loss of a cycle over pi S_0 times its area."""
-    S_0, laws = 1e-3, {"mu": 0.02, "zeta": 0.02, "c_2": 0.1, "c_3": 0.3, "zeta_2": 0.5}
-    one = Isolator(**DESIGN, **laws, contact="attached")
-    u_cr, force = one.u_cr, one.restoring_force()
-    u = np.linspace(0, 0.9, 9001)
-    V = np.concatenate(([0.0], np.cumsum(force(0.5 * (u[1:] + u[:-1]))) * u[1]))
-    v = np.linspace(0, 1.0, 2001)
+def by_volumes(force, resists, S_0, end, u_rms, v_rms, size=200):
+    """Mean squares of u, v and a: finite volumes along v, fourth differences along u, an edge of which is at `end`."""
+    step, high = end / round(end * size / (13 * u_rms)), 6.5 * v_rms
+    u, v = step * (np.arange(size) + 0.5 - size / 2), high * ((2 * np.arange(size) + 1) / size - 1)
+    slope = diags_array([1 / 12, -2 / 3, 2 / 3, -1 / 12], offsets=[-2, -1, 1, 2], shape=(size, size)) / step
+    mean = diags_array([0.5, 0.5], offsets=[0, 1], shape=(size - 1, size))
+    difference = diags_array([-1.0, 1.0], offsets=[0, 1], shape=(size - 1, size)) * (size / (2 * high))
+    faces = np.meshgrid(u, v[:-1] + high / size, indexing="ij")
+    drift = diags_array((force(faces[0]) + resists(*faces)).ravel())
+    flux = drift @ kron(np.eye(size), mean) + math.pi * S_0 * kron(np.eye(size), difference)
+    L = kron(np.eye(size), -difference.T) @ flux - kron(slope, np.diag(v))
+    solve = splu((L - 1e-9 * eye_array(size**2)).tocsc()).solve
+    u, v = np.meshgrid(u, v, indexing="ij")
+    p = solve(solve(np.exp(-0.5 * (u / u_rms) ** 2 - 0.5 * (v / v_rms) ** 2).ravel())).reshape(u.shape)
+    return [math.sqrt((p * of**2).sum() / p.sum()) for of in (u, v, force(u) + resists(u, v))]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    "laws", ({"mu": 0.05}, {"mu": 0.02, "c_2": 0.1, "c_3": 0.3, "zeta_2": 0.5, "contact": "attached"})
+)
+def test_the_density_with_friction_is_that_of_volumes(laws):
+    S_0, one = 1e-3, Isolator(**DESIGN, zeta=0.02, **laws)
+    found, of = one.random(S_0=S_0).fokker_planck, {"c_2": 0.0, "c_3": 0.0, "zeta_2": 0.0, **laws}
 
     def resists(u, v):
-        viscous = 2 * (laws["zeta"] + laws["zeta_2"] * u**2)
-        return laws["mu"] * (u < u_cr) + viscous * v + laws["c_2"] * v**2 + laws["c_3"] * v**3
+        friction = of["mu"] * (1 if "contact" not in of else np.abs(u) < one.u_cr)
+        viscous = 2 * (0.02 + of["zeta_2"] * u**2)
+        return np.sign(v) * (friction + of["c_2"] * v**2) + viscous * v + of["c_3"] * v**3
 
-    root = np.linspace(1e-7, math.sqrt(V[-1]), 400)
-    speed = [np.sqrt(2 * np.maximum(e * e - V, 0)) for e in root]
-    slope = 2 * root * np.array([np.sum(resists(u, s) * (s > 0)) / np.sum(s) for s in speed]) / (math.pi * S_0)
-    P = np.concatenate(([0.0], np.cumsum(0.5 * (slope[1:] + slope[:-1]) * np.diff(root))))
-    at = np.meshgrid(u[::10], v, indexing="ij")
-    density = np.exp(-np.interp(V[::10, np.newaxis] + 0.5 * v**2, root**2, P))
-    density *= np.where(v == 0, 0.5, 1.0) * np.where(u[::10, np.newaxis] == 0, 0.5, 1.0)
-    means = [np.average(of, weights=density) for of in (at[0] ** 2, at[1] ** 2, resists(*at) ** 2 + force(at[0]) ** 2)]
-    found = one.random(S_0=S_0).by_energy
-    np.testing.assert_allclose([found.u_rms, found.v_rms, found.a_rms], np.sqrt(means), rtol=2e-3)
+    moments = by_volumes(one.restoring_force(), resists, S_0, one.u_cr, found.u_rms, found.v_rms)
+    assert moments == pytest.approx([found.u_rms, found.v_rms, found.a_rms], rel=1.5e-3)
 
 
-@pytest.mark.parametrize(("mu", "u_rms", "within"), ((0.012, 0.20875, 0.002), (0.05, 0.10228, 0.025)))
-def test_cycles_with_friction_are_near_records(mu, u_rms, within):
+@pytest.mark.parametrize(("mu", "u_rms"), ((0.012, 0.20875), (0.05, 0.10228)))
+def test_the_density_with_friction_is_that_of_records(mu, u_rms):
     """Those of another integrator, to 0.0002; friction is 0.56 and 0.93 of the damping."""
-    found = Isolator(**DESIGN, mu=mu, zeta=0.02).random(S_0=1e-3)
-    assert found.by_energy.u_rms == pytest.approx(u_rms, rel=within)
-    assert abs(found.by_energy.u_rms - u_rms) < abs(found.u_rms[0] - u_rms) / 2
+    assert Isolator(**DESIGN, mu=mu, zeta=0.02).random(S_0=1e-3).fokker_planck.u_rms == pytest.approx(u_rms, abs=2e-4)
 
 
-def test_cycles_are_of_white_noise_and_of_one_well():
+def test_the_exact_density_is_of_white_noise_alone():
     with pytest.raises(Refused, match="under white noise"):
-        _ = Duffing(1.0, 1.0, zeta=0.05).random(psd=FLOOR).by_energy
-    for one in (Duffing(-1.0, 1.0, zeta=0.05), Duffing(1.0, -0.1, zeta=0.05)):
-        with pytest.raises(ArithmeticError, match="pushes away"):
-            _ = one.random(S_0=0.1).by_energy
+        _ = Duffing(1.0, 1.0, zeta=0.05).random(psd=FLOOR).fokker_planck
+    with pytest.raises(ArithmeticError, match="too weak to hold"):
+        _ = Duffing(1.0, -0.1, zeta=0.05).random(S_0=0.01).fokker_planck
 
 
 def test_records_of_a_linear_oscillator_are_its_answer():
@@ -666,18 +679,18 @@ def test_friction_of_most_of_the_damping_is_named():
     found = Isolator(**DESIGN, mu=0.05, zeta=0.02).random(S_0=1e-3)
     assert found.dry[0] > 0.8
     assert "dry friction is 0.93 of the equivalent damping" in found.message
-    assert "by_energy is within 4 % up to 0.9" in found.message
+    assert "fokker_planck has the exact density" in found.message
     assert "above 0.5 root mean" in Isolator(**DESIGN, mu=0.02, zeta=0.02, contact="attached").random(S_0=1e-3).message
 
 
 @pytest.mark.parametrize(("law", "size", "off"), (("c_3", 0.5, 0.053), ("zeta_2", 0.5, 0.042), ("c_2", 1.0, 0.04)))
 def test_nonlinear_damping_is_named_by_its_fraction(law, size, off):
-    """Records of the motion have larger root mean squares than linearization, as energy has."""
+    """The exact density has larger root mean squares than linearization."""
     assert Isolator(**DESIGN, zeta=0.02, **{law: 0.01}).random(S_0=1e-3).message == ""
     found = Isolator(**DESIGN, zeta=0.005, **{law: size}).random(S_0=1e-3)
     assert "nonlinear damping is 0." in found.message
-    assert "by_energy is within 2 %, measure() follows" in found.message
-    assert found.u_rms[0] / found.by_energy.u_rms == pytest.approx(1 - off, abs=0.015)
+    assert "8 %; fokker_planck has the exact density" in found.message
+    assert found.u_rms[0] / found.fokker_planck.u_rms == pytest.approx(1 - off, abs=0.015)
 
 
 def test_an_excitation_in_a_narrow_band_is_named():

@@ -12,18 +12,14 @@ from slowflow.answers.answer import Drawn, Single, Table
 from slowflow.answers.gradient import Gradient
 from slowflow.core import validate
 from slowflow.core.mechanism import EquationOfMotion, Floats, Reals
-from slowflow.random_vibration.energy import averages
 from slowflow.random_vibration.excitation import Excitation, Tabulated, White
+from slowflow.random_vibration.fokker_planck import averages
 from slowflow.random_vibration.gradient import gradient
 from slowflow.random_vibration.record import measured
 from slowflow.support.errors import Refused
 from slowflow_kernels import linearization
 
-NO_CYCLES = "stochastic averaging of the energy is available under white noise only: random(S_0=...)"
-OFFSET = (
-    "stochastic averaging of the energy is available about the centre only, not with a load or an asymmetric force; "
-    "measure() follows the motion in time"
-)
+NOT_WHITE = "the Fokker-Planck equation is solved under white noise only: random(S_0=...)"
 #: root mean squares up to which displacements are counted at least, and beyond the likely one, and steps up to there
 FARTHEST, BEYOND, STEPS = 12.0, 6.0, 4000
 #: over natural frequencies how far up and down a picture goes
@@ -91,19 +87,18 @@ class RandomResponse(Drawn, Table, entry="Stationary"):
         return np.sqrt([self.excitation.absolute(k, c) for k, c in linear])
 
     @property
-    def by_energy(self) -> ByEnergy:
-        """Stochastic averaging of the energy, which is more accurate than linearization; see `ByEnergy`.
+    def fokker_planck(self) -> FokkerPlanck:
+        """The exact stationary density under white noise, for any force and damping: all that random() approximates.
 
-        Raises ValueError if the excitation is not white noise, and for motions about a mean; ArithmeticError if the
-        spring pushes away from the centre anywhere, as in a double well.
+        Raises ValueError if the excitation is not white noise; ArithmeticError if the spring or the damping is too weak
+        to hold the mass, or the motion does not leave the wells of the spring.
         """
         if not isinstance(self.excitation, White):
-            raise Refused(NO_CYCLES)
-        if not self.system.centred:
-            raise Refused(OFFSET)
-        u, v, a, beyond, fourth = averages(self.system, self.excitation.S_0, float(self.u_rms[0])).tolist()
-        fraction = math.nan if self.system.force.first_end is None else beyond
-        return ByEnergy(math.sqrt(u), math.sqrt(v), math.sqrt(a), fraction, fourth / u**2)
+            raise Refused(NOT_WHITE)
+        scales = (float(column[0]) for column in (self.B, self.u_rms, self.v_rms, self.beyond))
+        B, u, v, a, beyond, kurtosis = averages(self.system, self.excitation.S_0, *scales).tolist()
+        fraction = math.nan if math.isnan(self.beyond[0]) else beyond
+        return FokkerPlanck(B, math.sqrt(u), math.sqrt(v), math.sqrt(a), fraction, kurtosis)
 
     def largest(self, duration: float) -> Floats:
         """Mean of the largest |u| within a duration, shape (motions,).
@@ -154,16 +149,20 @@ def crossings(ends: Any, mean: Any, u_rms: Any, v_rms: Any) -> Any:
 
 
 @dataclass(frozen=True, eq=False)
-class ByEnergy(Single):
-    """Stationary motion under white noise by stochastic averaging of the energy; dimensionless.
+class FokkerPlanck(Single):
+    """Stationary motion under white noise, from the Fokker-Planck equation of (3); dimensionless.
 
-    With viscous damping 2 zeta u' alone it is the exact solution of the Fokker-Planck equation.
+        u' dp/du = d/du' ((f + r) p) + pi S_0 d^2 p/du'^2
 
-    u_rms, v_rms, a_rms -- as in `RandomResponse`
+    p is the density of u and u', r the damping force, f less the load. It is solved until root mean squares change by
+    less than 0.01 % with more nodes.
+
+    B, u_rms, v_rms, a_rms -- as in `RandomResponse`
     beyond   -- fraction of the time beyond the first breakpoint, NaN if there is none
-    kurtosis -- of u: 3 for a Gaussian motion
+    kurtosis -- of u about its mean: 3 for a Gaussian motion
     """
 
+    B: float
     u_rms: float
     v_rms: float
     a_rms: float

@@ -43,18 +43,16 @@ GIVES_WAY = (
 )
 SEVERAL = Sentence(
     "there are {count:d} equivalent linear oscillators: the motion switches between them, and its averages match none "
-    "of theirs; measure() simulates it"
+    "of theirs; {exact:s}"
 )
 DRY = Sentence(
     "dry friction is {dry:.2g} of the equivalent damping: above {most:g} root mean squares may be off by more than "
-    "5 %; {nearer:s}measure() follows the motion in time"
+    "5 %; {exact:s}"
 )
-NEARER = "by_energy is within 4 % up to 0.9, "
 NONLINEAR = Sentence(
     "nonlinear damping is {nonlinear:.2g} of the equivalent damping: above {most:g} root mean squares may be off by "
-    "8 %; {nearer:s}measure() follows the motion in time"
+    "8 %; {exact:s}"
 )
-NEARER_NONLINEAR = "by_energy is within 2 %, "
 IN_A_BAND = (
     "the excitation is narrow-band, and the natural frequency of the motion moves in and out of the band: root mean "
     "squares may be off by 9 %, with stops by 25 %; measure() simulates the motion"
@@ -64,12 +62,14 @@ IN_A_BAND = (
 MOST_CURVED, NEAR_MEAN = 0.1, np.linspace(-6.0, 6.0, 241)
 CURVED = Sentence(
     "{curved:.2g} of the mean square of the force is not linear about the mean: above {most:g} the mean and root mean "
-    "squares may be off by more than 4 %; measure() follows the motion in time"
+    "squares may be off by more than 4 %; {exact:s}"
 )
-WELLS = (
+WELLS = Sentence(
     "the force has several equilibria within reach of the motion, which switches between them: mean and root mean "
-    "squares about one of them may match none of its averages; measure() simulates it"
+    "squares about one of them may match none of its averages; {exact:s}"
 )
+#: where averages are without these errors, of white noise and of others
+EXACT_DENSITY, IN_TIME = "fokker_planck has the exact density", "measure() simulates the motion"
 
 
 def random(oscillator: Any, system: EquationOfMotion, S_0: Any, psd: Any) -> RandomResponse:
@@ -82,21 +82,19 @@ def random(oscillator: Any, system: EquationOfMotion, S_0: Any, psd: Any) -> Ran
 
 def _diagnostics(system: EquationOfMotion, excitation: Excitation, columns: dict[str, Floats]) -> str:
     """How far statistical linearization is to be trusted, as text."""
-    u, dry, by_energy = columns["u_rms"], columns["dry"], system.centred and isinstance(excitation, White)
+    u, dry, exact = columns["u_rms"], columns["dry"], EXACT_DENSITY if isinstance(excitation, White) else IN_TIME
     most = MOST_ATTACHED if system.released else MOST_DRY if system.centred else MOST_DRY_ABOUT
     nonlinear = 1 - dry - 2 * system.zeta / columns["damping"]
     return joined(
-        SEVERAL.format(u.size) if u.size > 1 else "",
-        DRY.format(float(dry.max()), most, NEARER * by_energy) if (dry > most).any() else "",
-        NONLINEAR.format(float(nonlinear.max()), MOST_NONLINEAR, NEARER_NONLINEAR * by_energy)
-        if (nonlinear > MOST_NONLINEAR).any()
-        else "",
-        "" if system.centred else _about_means(system, columns),
+        SEVERAL.format(u.size, exact) if u.size > 1 else "",
+        DRY.format(float(dry.max()), most, exact) if (dry > most).any() else "",
+        NONLINEAR.format(float(nonlinear.max()), MOST_NONLINEAR, exact) if (nonlinear > MOST_NONLINEAR).any() else "",
+        "" if system.centred else _about_means(system, columns, exact),
         IN_A_BAND if isinstance(excitation, Tabulated) and excitation.Omega[-1] < NARROW * excitation.Omega[0] else "",
     )
 
 
-def _about_means(system: EquationOfMotion, columns: dict[str, Floats]) -> str:
+def _about_means(system: EquationOfMotion, columns: dict[str, Floats], exact: str) -> str:
     """What to bear in mind of motions about a mean: equilibria within reach, a force that is far from linear."""
     B, u, v, a, k = (columns[name] for name in ("B", "u_rms", "v_rms", "a_rms", "stiffness"))
     above = system.force(B[:, np.newaxis] + u[:, np.newaxis] * NEAR_MEAN) > system.load
@@ -104,8 +102,8 @@ def _about_means(system: EquationOfMotion, columns: dict[str, Floats]) -> str:
     of_force = a**2 - linearization.damping_force(THROUGHOUT, 1.0, u, v, *laws)
     curved = float((1 - (k * u) ** 2 / of_force).max())
     return joined(
-        WELLS if (np.diff(above, axis=1).sum(axis=1) > 1).any() else "",
-        CURVED.format(curved, MOST_CURVED) if curved > MOST_CURVED else "",
+        WELLS.format(exact) if (np.diff(above, axis=1).sum(axis=1) > 1).any() else "",
+        CURVED.format(curved, MOST_CURVED, exact) if curved > MOST_CURVED else "",
     )
 
 

@@ -17,8 +17,8 @@ from slowflow.core.backend import EXACT
 from slowflow.core.mechanism import EquationOfMotion, Floats
 from slowflow.exact.motion import MOST_STEPS, handle, lost
 from slowflow.exact.transient import record as arcs_of
-from slowflow.random_vibration.energy import damping_force
 from slowflow.random_vibration.excitation import Excitation, White
+from slowflow.random_vibration.fokker_planck import damping_force
 from slowflow.support.errors import NotSettled
 from slowflow_kernels import linearization
 

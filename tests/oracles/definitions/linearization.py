@@ -58,11 +58,6 @@ def damping_force(level, within, sigma_u, sigma_v, mu, zeta, c_2, c_3, zeta_2):
     return [mean(square, sigma_v)]
 
 
-def energy_loss(area, lost, S_0):
-    """Of a cycle that is lost of what noise adds, pi S_0 in a unit of time, per area."""
-    return [lost / (mp.pi * S_0 * area)]
-
-
 def modulus(Omega, k, c):
     return abs(mp.mpc(k - Omega**2, c * Omega)) ** 2
 
@@ -122,6 +117,5 @@ LINEARIZATION = {
     "steepest": ("ratio", steepest),
     "white": ("S_0 k c", white),
     "crossings": ("end sigma_u sigma_v", crossings),
-    "energy_loss": ("W_1 lost S_0", energy_loss),
     "resonance": ("theta k c slope G E_re E_im D_re D_im", resonance),
 }
