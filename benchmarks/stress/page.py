@@ -300,11 +300,12 @@ def in_short(numbers: Numbers) -> list[str]:
         f"{number(max(value(w['error']) for w in of_roots))}; {wrong_roots} cases have a wrong number of roots.",
         f"- **Results, target {answers.TARGET:g} u (1 + κ)**: {len(of_answers) - len(missed)} of {len(of_answers)} "
         f"kinds meet it{'; the others are marked below' if missed else ''}.",
-        f"- **Numbers of states and folds, target: none of 10^7 wrong**: {cases:,} cases have forces next to those at "
-        f"which the number changes. Of these, {wrong:,} are wrong and not marked; {marked:,} ({marked / cases:.1%}) "
-        f"are marked as undecided in double precision. Ball arithmetic was tried on {balls:,} of the marked cases: "
-        f"{open_:,} stay undecided, {wrong_balls:,} are wrong. Of {many:,} further cases, {differ:,} are wrong and not "
-        f"marked, {of_many:,} ({of_many / many:.1%}) are marked, and for {unproved:,} the proof fails.",
+        f"- **Numbers of states and folds, target: none of 10^7 wrong**: {cases:,} cases have forces near or "
+        f"between those at which the number changes. Of these, {wrong:,} are wrong and not marked; {marked:,} "
+        f"({marked / cases:.1%}) are marked as undecided in double precision. Ball arithmetic was tried on {balls:,} "
+        f"of the marked cases: {open_:,} stay undecided, {wrong_balls:,} are wrong. Of {many:,} further cases, "
+        f"{differ:,} are wrong and not marked, {of_many:,} ({of_many / many:.1%}) are marked, and for {unproved:,} the "
+        f"proof fails.",
         f"- **Proofs, target 99 % of folds in double precision, in at most twice the time**: "
         f"{fraction(numbers['proofs'][0], 'folds', 'alone')} are proved, in {numbers['proofs'][0]['ratio']:.2f} times "
         f"the time of `saddle_nodes` (median). With ball arithmetic, {balls_fraction(numbers['proofs'][0])}.",

@@ -1,4 +1,4 @@
-"""Validity: errors of averaging, measured on results like the given ones.
+"""Validity: measured errors of averaging for similar results.
 
 The errors were measured for the paper's isolator (docs/validity.md). For a spring model for which nothing was measured,
 the message states this.

@@ -1,8 +1,9 @@
 """Batches of averaged oscillators: critical forces, folds, states, peaks and curves.
 
 Batches are made by `Isolator.many(...)` and `Duffing.many(...)` from arrays that broadcast. Designs that double
-precision leaves undecided are resolved in ball arithmetic. With `workers`, several threads share the designs (-1: one
-thread for each processor) and give the same digits. Ctrl-C takes effect within a second.
+precision leaves undecided are resolved in ball arithmetic, if python-flint is installed. With `workers`, several
+threads share the designs (-1: one thread for each processor) and give the same digits. Ctrl-C takes effect within a
+second.
 
 Invalid designs, and designs without a result, have NaN. Their `status` gives the reason, as a code of
 `slowflow_kernels.conventions.Status`; it is 0 for a result.

@@ -1,7 +1,7 @@
 """Batches of oscillators whose motions have a mean.
 
-The functions are those of `OffCentre`. Each design is computed like a single one, with the same digits, in some
-hundredths of a second. Invalid designs, and designs without a result, have NaN and a status.
+The functions are those of `OffCentre`. Each design is computed like a single one, with the same digits
+and in the same time. Invalid designs, and designs without a result, have NaN and a status.
 """
 
 from __future__ import annotations

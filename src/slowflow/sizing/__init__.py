@@ -36,7 +36,7 @@ than kinetic friction; it affects only break_loose, rests_within and results of 
 contact="attached", results take tens of microseconds per design, f_isolation some tenths of a millisecond. With eta,
 results of a shock are not available.
 
-If a design has folds below F_SN that end at Omega = 0, F_SN is not available.
+If there are folds that end at Omega = 0 at forces below F_SN, F_SN is not available.
 
 For a design under a load, `load` is its mass, and k_v is preloaded for m. A_peak and A are amplitudes about the mean,
 and A_shock is the largest |x|. Each result, and each row of a spectrum, takes tenths of a second instead of
