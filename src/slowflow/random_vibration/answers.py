@@ -103,7 +103,8 @@ class RandomResponse(Drawn, Table, entry="Stationary"):
     def largest(self, duration: float) -> Floats:
         """Mean of the largest |u| within a duration, shape (motions,).
 
-        Level crossings are treated as a Poisson process.
+        Level crossings are treated as a Poisson process of a Gaussian motion. If dry friction causes more than 0.4 of
+        the damping, the largest displacement is too low, by 21 % at 0.74.
         """
         tau = validate.number("duration", duration, above=0.0)
         B, u, v = (one[:, np.newaxis] for one in (self.B, self.u_rms, self.v_rms))
