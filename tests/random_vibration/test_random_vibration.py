@@ -659,11 +659,13 @@ def test_the_density_with_friction_is_that_of_records(mu, u_rms):
     assert Isolator(**DESIGN, mu=mu, zeta=0.02).random(S_0=1e-3).fokker_planck.u_rms == pytest.approx(u_rms, abs=2e-4)
 
 
-def test_the_exact_density_is_of_white_noise_alone():
+def test_what_the_exact_density_is_not_found_of_is_named():
     with pytest.raises(Refused, match="under white noise"):
         _ = Duffing(1.0, 1.0, zeta=0.05).random(psd=FLOOR).fokker_planck
     with pytest.raises(ArithmeticError, match="too weak to hold"):
         _ = Duffing(1.0, -0.1, zeta=0.05).random(S_0=0.01).fokker_planck
+    with pytest.raises(ArithmeticError, match="the stationary density is not resolved"):
+        _ = Duffing(1.0, 0.5, zeta=1e-8).random(S_0=0.01).fokker_planck
 
 
 def test_records_of_a_linear_oscillator_are_its_answer():

@@ -58,14 +58,15 @@ def averages(system: EquationOfMotion, S_0: float, B: float, u_rms: float, v_rms
     D, friction = math.pi * S_0, system.mu * (1 - beyond if system.released else 1)
     reference = replace(system, mu=friction, zeta=system.zeta + system.zeta_2 * u_rms**2, zeta_2=0.0, released=False)
     far = _farthest(reference, D, v_rms)
-    before = np.full(3, math.nan)
+    before = np.full(4, math.nan)
     for nodes, panels in ATTEMPTS:
         ends = _panels(system, B, u_rms / panels, 2 * v_rms**2 / panels, 0.5 * far**2)
         found = _means(system, reference, D, ends, _velocities(reference, D, far, nodes))
-        scale = np.array([math.sqrt(found[1]), 2 * found[1], 2 * found[2]])
-        if (np.abs(found[:3] - before) <= AGREE * scale).all():
+        # mean squares may come out negative where nodes are too few
+        scale = np.append(math.sqrt(abs(found[1])), 2 * found[1:4])
+        if (np.abs(found[:4] - before) <= AGREE * scale).all():
             return found
-        before = found[:3]
+        before = found[:4]
     raise NotSettled(UNSETTLED)
 
 
@@ -169,7 +170,7 @@ def _means(
     below, above = system.force.first_ends
     squares = [(p * of**2).sum() for of in (u - B, v, f + r)]
     beyond = (p * ((u < below) | (u > above))).sum()
-    return np.array([B, *squares, beyond, (p * ((u - B) / math.sqrt(squares[0])) ** 4).sum()])
+    return np.array([B, *squares, beyond, (p * ((u - B) ** 2 / squares[0]) ** 2).sum()])
 
 
 def _solved(A: Floats, inertia: Floats, widths: Floats, f: Floats) -> Floats:
