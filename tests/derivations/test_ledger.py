@@ -20,7 +20,7 @@ import sympy as sp
 from flint import arb
 
 from derivations import ledger, symbols
-from derivations.ledger import balls, proofs, render
+from derivations.ledger import balls, entries, proofs, render
 from derivations.ledger import published as PUBLISHED
 from derivations.ledger.facts import Facts
 from derivations.ledger.findings import Contradiction, check_averages, check_formulas, key
@@ -211,6 +211,16 @@ def test_agreement_against_a_finding_is_told() -> None:
     row = Row("F_cr_limit_literal", "formula", "4.2", "limit", "x", "x", IDENTICAL)
     with pytest.raises(Contradiction, match="they agree, where a finding says they differ"):
         check_formulas([row])
+
+
+def test_every_changed_number_differs(facts: Facts, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Numbers of the text that the derivation confirms, each with another last digit."""
+    confirmed = {row.id for row in entries.number_rows(facts) if row.verdict == IDENTICAL}
+    plain = [one for one in PUBLISHED.NUMBERS if one.id in confirmed and not one.entry and "π" not in one.printed]
+    changed = [replace(one, printed=one.printed[:-1] + str((int(one.printed[-1]) + 2) % 10)) for one in plain]
+    monkeypatch.setattr(PUBLISHED, "NUMBERS", changed)
+    rows = entries.number_rows(facts)
+    assert len(rows) > 10 and {row.verdict for row in rows} == {DIFFERS}
 
 
 # ---- completeness -------------------------------------------------------------------------------------------------
