@@ -3,6 +3,7 @@
 from dataclasses import replace
 
 import mpmath
+import numpy as np
 import pytest
 import sympy as sp
 
@@ -80,6 +81,26 @@ def test_folds_on_a_base_come_at_the_onset(number):
     below, above = (osc.saddle_nodes(onset.F_SN * factor) for factor in (1 - 1e-6, 1 + 1e-4))
     assert len(below) == 0 and len(above) >= (1 if onset.kind == "corner" else 2)
     assert min(abs(above.A - onset.A)) < 0.1 * onset.A
+
+
+@pytest.mark.parametrize("excitation", ["base", "unbalance"])
+@pytest.mark.parametrize("c_2", 10.0 ** np.linspace(-12, -5, 15))
+def test_vanishing_quadratic_damping_changes_nothing(c_2, excitation):
+    """A pair of frequencies that meets a few ulps below F_0 next to Omega = inf took the place of the states."""
+    design = {"lam": 3.0, "r": 2.0, "delta_h": 0.05, "mu": 0.002, "zeta": 0.05, "excitation": excitation}
+    found, limit = (Isolator(**design, c_2=value) for value in (c_2, 0.0))
+    for Omega in (0.5, 0.8, 3.0, 1e3):
+        states, expected = (osc.amplitudes(Omega=Omega, F_0=0.05) for osc in (found, limit))
+        assert states.A == pytest.approx(expected.A, rel=10 * c_2 + 1e-12)
+        assert np.array_equal(states.stable, expected.stable)
+    curve, expected = (osc.frequency_response(0.05) for osc in (found, limit))
+    assert len(set(curve.branch)) == len(set(expected.branch))
+    assert curve.A.max() == pytest.approx(expected.A.max(), rel=10 * c_2 + 1e-12)
+    jumps, expected = (osc.hysteresis(0.05) for osc in (found, limit))
+    assert jumps.Omega_low == pytest.approx(expected.Omega_low, rel=1e-4)
+    assert np.array_equal(jumps.motions, expected.motions)
+    begins, expected = (osc.isolation(0.05, level_dB=-10).Omega for osc in (found, limit))
+    assert begins == pytest.approx(expected, rel=1e-4)
 
 
 @pytest.mark.parametrize("F_0", [1.0, 1e20, 1e60, 1e150])

@@ -77,7 +77,8 @@ static void sf_add_law_peaks(const sf_model *model, const sf_law_points *peaks, 
 /* What of the response to an excitation by inertia is next to Omega = inf: the amplitude that it tends to, and whether
  * above that there is one more frequency than below, not one less. There F over Omega^4 is x (c_1 + c_2 x) next to x =
  * 0, c_1 >= 0; for c_2 < 0 a pair meets at x = -c_1/(2 c_2), at an amplitude that is lower by c_1^2/|c_2| over F_0^2,
- * or less. Where that is next to nothing it may round to that amplitude: such a pair is none of the events. */
+ * or less. Where that is within the rounding of that amplitude there are no doubles between them in which signs of F
+ * tell the frequencies apart: such a pair is none of the events. */
 typedef struct {
     double A;
     int falls;
@@ -97,7 +98,7 @@ static sf_far_end sf_far_end_of(const sf_model *model, double F_0, sf_law_points
     out.falls = q.c[2] < 0 && q.c[1] * q.c[1] <= SF_HARDLY * -q.c[2] * q.F_0 * q.F_0;
     for (int i = 0; out.falls && i < peaks->n; i++)
         if (sf_meets_far(model, &q, &peaks->at[i])) {
-            if (peaks->at[i].A < out.A)
+            if (peaks->at[i].A < out.A * (1 - SF_ERROR))
                 out.falls = 0;
             else
                 peaks->at[i--] = peaks->at[--peaks->n];
