@@ -86,7 +86,12 @@ SAMPLED: dict[str, Limits] = {
     **dict.fromkeys((f"lost_{order}" for order in range(4)), SIGNED),
 }
 #: of modules whose arguments are others, or have other signs
-APART = ((("dissipation", "sensitivities"), OF_LAWS), (("off_centre",), OFF_CENTRE), (("sampled",), SAMPLED))
+APART = (
+    (("duffing",), {"gamma": BOX["beta"]}),
+    (("dissipation", "sensitivities"), OF_LAWS),
+    (("off_centre",), OFF_CENTRE),
+    (("sampled",), SAMPLED),
+)
 OF_MODULE = {module: box for modules, box in APART for module in modules}
 #: modules whose numbers have no scale to vary over: the ranges of the kernels' oracle serve
 PLAIN = ("motion", "den_hartog", "second_approximation", "inertia")
@@ -226,7 +231,7 @@ def extreme(module: str, names: Sequence[str], rng: np.random.Generator) -> tupl
 def _design(x: Point, base: str, coefficients: Callable[..., Sequence[float]], rng: np.random.Generator) -> None:
     """Parameters of a mechanism from a design; every other one quasi-zero stiffness, to the ulp, or negative."""
     own = [name for name in ("alpha", "beta", "gamma", "u_cr", "delta_h") if name in x]
-    if own[-1] == "beta":
+    if own[-1] in ("beta", "gamma"):
         if rng.random() < 0.3:
             x["alpha"] = float(rng.choice([0.0, 2.0**-53, -(2.0**-53), 1e-12]))
         return

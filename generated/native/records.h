@@ -64,9 +64,10 @@ static double records_level(double Omega, double A, const double *damping, doubl
 static int duffing_record_parameters_of(const sf_mechanism *self, const double *design, double *p)
 {
     (void)self;
-    if (!(design[0] > -INFINITY && design[0] < INFINITY && design[1] > -INFINITY && design[1] < INFINITY))
+    if (!(design[0] > -INFINITY && design[0] < INFINITY && design[1] > -INFINITY && design[1] < INFINITY &&
+          design[2] > -INFINITY && design[2] < INFINITY))
         return 0;
-    duffing_coefficients(design[0], design[1], p);
+    duffing_coefficients(design[0], design[1], design[2], p);
     return 1;
 }
 
@@ -90,9 +91,9 @@ static int rod_spring_untruncated_record_parameters_of(const sf_mechanism *self,
     return 1;
 }
 
-OF_DESIGN(duffing_record_by_design, double, duffing_by_design(design[0], design[1], out))
-OF_DESIGN(duffing_record_parameters_within, sf_interval, duffing_intervals_given(sfi_point(design[0]), sfi_point(design[1]), out))
-OF_DESIGN(duffing_record_parameters_in_pairs, sf_pair, duffing_pairs_given(sfp_point(design[0]), sfp_point(design[1]), out))
+OF_DESIGN(duffing_record_by_design, double, duffing_by_design(design[0], design[1], design[2], out))
+OF_DESIGN(duffing_record_parameters_within, sf_interval, duffing_intervals_given(sfi_point(design[0]), sfi_point(design[1]), sfi_point(design[2]), out))
+OF_DESIGN(duffing_record_parameters_in_pairs, sf_pair, duffing_pairs_given(sfp_point(design[0]), sfp_point(design[1]), sfp_point(design[2]), out))
 
 ROWS(duffing_record_averaged_loop, duffing_averaged, 4)
 SUMS(duffing_record_averaged, duffing_record_averaged_loop(n, n, A, p, out))
@@ -101,21 +102,21 @@ SUMS(duffing_record_averaged_2, duffing_record_averaged_2_loop(n, n, A, p, out))
 ROWS(duffing_record_harmonics_loop, duffing_harmonics, 8)
 SUMS(duffing_record_harmonics, duffing_record_harmonics_loop(n, n, A, p, out))
 
-INTERCEPT(duffing_record_intercept, duffing_intercept(A, p[0], p[1]))
+INTERCEPT(duffing_record_intercept, duffing_intercept(A, p[0], p[1], p[2]))
 BY_PARAMETER(duffing_record_by_parameter, duffing_by_parameter)
 AVERAGED_WITHIN(duffing_record_averaged_within, duffing_intervals_known(A, p, out))
 AVERAGED_IN_PAIRS(duffing_record_averaged_in_pairs, duffing_pairs_known(A, p, all))
 
 /* Parameters and jumps of n designs */
-IN_PAIRS(duffing_record_many_in_pairs, duffing_pairs_given(NUMBER(0), NUMBER(1), p),
-         for (int k = 0; k < 2; k++) PUT(k, p[k]);)
+IN_PAIRS(duffing_record_many_in_pairs, duffing_pairs_given(NUMBER(0), NUMBER(1), NUMBER(2), p),
+         for (int k = 0; k < 3; k++) PUT(k, p[k]);)
 
-_Static_assert(2 <= SF_MOST_DESIGN && 2 <= SF_MOST_PARAMETERS && 0 <= SF_MOST_BREAKS,
+_Static_assert(3 <= SF_MOST_DESIGN && 3 <= SF_MOST_PARAMETERS && 0 <= SF_MOST_BREAKS,
                "duffing needs higher limits in mechanism.h");
 static const sf_mechanism duffing_record = {
     IN_EVERY_RECORD(duffing),
-    .design_size = 2,
-    .parameters = 2,
+    .design_size = 3,
+    .parameters = 3,
     .breakpoints = 0,
     .reach = INFINITY,
     .ends = records_no_breakpoint,

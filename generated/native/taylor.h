@@ -60,80 +60,96 @@ SF_FAMILY_BEGIN
 /* duffing: Piece 1 of the whole restoring force u + F_k(u). Equation (3), (5). */
 static double duffing_force_1_value(const sf_law *self, const double *p, double u)
 {
-    const double alpha = p[0], beta = p[1];
-    return u * (alpha + beta * u * u);
+    const double alpha = p[0], beta = p[1], gamma = p[2];
+    const double t0 = u * u;
+    return u * (alpha + t0 * (beta + gamma * t0));
 }
 
 static double duffing_force_1_slope(const sf_law *self, const double *p, double u)
 {
-    const double alpha = p[0], beta = p[1];
-    return alpha + 3.0 * beta * u * u;
+    const double alpha = p[0], beta = p[1], gamma = p[2];
+    const double t0 = u * u;
+    return alpha + t0 * (3.0 * beta + 5.0 * gamma * t0);
 }
 
 static int duffing_force_1_powers(const double *p, double *c)
 {
-    const double alpha = p[0], beta = p[1];
+    const double alpha = p[0], beta = p[1], gamma = p[2];
     c[0] = 0.0;
     c[1] = alpha;
     c[2] = 0.0;
     c[3] = beta;
-    return 3;
+    c[4] = 0.0;
+    c[5] = gamma;
+    return 5;
 }
 
 
 static SF_INLINE void duffing_force_1_begin(const double *p, double *first, double *over)
 {
-    const double alpha = p[0], beta = p[1];
+    const double alpha = p[0], beta = p[1], gamma = p[2];
     first[1] = first[0] * first[0];
-    first[2] = alpha + beta * first[1];
-    first[3] = first[0] * first[2];
+    first[2] = beta + gamma * first[1];
+    first[3] = first[1] * first[2];
+    first[4] = alpha + first[3];
+    first[5] = first[0] * first[4];
 }
 
 static SF_INLINE void duffing_force_1_next(const sf_coefficients *c, const double *p, double *w,
     sf_four *left, sf_four *right)
 {
-    const double beta = p[1];
+    const double gamma = p[2];
     w[1] = sf_square(c, 0, 0);
-    w[2] = beta * w[1];
-    w[3] = sf_product(c, 0, 2, 1);
-    left[0] = sf_four_of(w[0], w[0], 0.0, 0.0);
-    right[0] = sf_four_of(w[0], w[2], 0.0, 0.0);
+    w[2] = gamma * w[1];
+    w[3] = sf_product(c, 1, 2, 1);
+    w[4] = w[3];
+    w[5] = sf_product(c, 0, 4, 2);
+    left[0] = sf_four_of(w[0], w[1], w[0], 0.0);
+    right[0] = sf_four_of(w[0], w[2], w[4], 0.0);
 }
 
 static SF_INLINE void duffing_force_1_both_begin(const double *p, double *first, double *over)
 {
-    const double alpha = p[0], beta = p[1];
+    const double alpha = p[0], beta = p[1], gamma = p[2];
     first[1] = first[0] * first[0];
-    first[2] = beta * first[1];
-    first[3] = alpha + first[2];
-    first[4] = first[0] * first[3];
-    first[5] = alpha + 3.0 * first[2];
+    first[2] = gamma * first[1];
+    first[3] = beta + first[2];
+    first[4] = first[1] * first[3];
+    first[5] = alpha + first[4];
+    first[6] = first[0] * first[5];
+    first[7] = (3.0 * beta) + 5.0 * first[2];
+    first[8] = first[1] * first[7];
+    first[9] = alpha + first[8];
 }
 
 static SF_INLINE void duffing_force_1_both_next(const sf_coefficients *c, const double *p, double *w,
     sf_four *left, sf_four *right)
 {
-    const double beta = p[1];
+    const double gamma = p[2];
     w[1] = sf_square(c, 0, 0);
-    w[2] = beta * w[1];
+    w[2] = gamma * w[1];
     w[3] = w[2];
-    w[4] = sf_product(c, 0, 3, 1);
-    w[5] = 3.0 * w[2];
-    left[0] = sf_four_of(w[0], w[0], 0.0, 0.0);
-    right[0] = sf_four_of(w[0], w[3], 0.0, 0.0);
+    w[4] = sf_product(c, 1, 3, 1);
+    w[5] = w[4];
+    w[6] = sf_product(c, 0, 5, 2);
+    w[7] = 5.0 * w[2];
+    w[8] = sf_product(c, 1, 7, 3);
+    w[9] = w[8];
+    left[0] = sf_four_of(w[0], w[1], w[0], w[1]);
+    right[0] = sf_four_of(w[0], w[3], w[5], w[7]);
 }
 
 SF_FMA static void duffing_force_1(const sf_law *self, const double *p, const sf_drive *drive, double theta, double u, double v,
     const sf_four *flow, sf_expansion *x)
 {
-    double over[6], w[4 * 6];
+    double over[10], w[4 * 10];
     sf_four left[1 * SF_TERMS], right[1 * SF_TERMS];
     if (flow == NULL)
         sf_expand(duffing_force_1_begin, duffing_force_1_next,
-            p, drive, theta, u, v, NULL, 4, 1, 3, 0, 0, over, w, left, right, x);
+            p, drive, theta, u, v, NULL, 6, 1, 5, 0, 0, over, w, left, right, x);
     else
         sf_expand(duffing_force_1_both_begin, duffing_force_1_both_next,
-            p, drive, theta, u, v, flow, 6, 1, 4, 5, 0, over, w, left, right, x);
+            p, drive, theta, u, v, flow, 10, 1, 6, 9, 0, over, w, left, right, x);
 }
 
 /* rod_spring: Piece 1 of the whole restoring force u + F_k(u). Equation (3), (6). */
@@ -449,7 +465,7 @@ SF_FAMILY_END
 enum { SF_LAWS = 5 };
 
 static const sf_law sf_laws[SF_LAWS + 1] = {
-    {"duffing.force_1", 2, SF_SMOOTH, duffing_force_1_value, duffing_force_1_slope, duffing_force_1, NULL, NULL, NULL, duffing_force_1_powers},
+    {"duffing.force_1", 3, SF_SMOOTH, duffing_force_1_value, duffing_force_1_slope, duffing_force_1, NULL, NULL, NULL, duffing_force_1_powers},
     {"rod_spring.force_1", 4, SF_SMOOTH, rod_spring_force_1_value, rod_spring_force_1_slope, rod_spring_force_1, NULL, NULL, NULL, rod_spring_force_1_powers},
     {"rod_spring.force_2", 4, SF_SMOOTH, rod_spring_force_2_value, rod_spring_force_2_slope, rod_spring_force_2, NULL, NULL, NULL, rod_spring_force_2_powers},
     {"rod_spring_untruncated.force_1", 3, SF_SMOOTH, rod_spring_untruncated_force_1_value, rod_spring_untruncated_force_1_slope, rod_spring_untruncated_force_1, NULL, NULL, NULL, NULL},

@@ -1,4 +1,4 @@
-"""Duffing oscillator: one cubic piece, no breakpoint: in balls.
+"""Duffing oscillator: one polynomial of degree five, no breakpoint: in balls.
 
 Written by `make derive` from derivations/mechanisms/duffing.py; never edit.
 
@@ -14,21 +14,28 @@ __all__ = [
 ]
 
 
-def given(alpha, beta):
+def given(alpha, beta, gamma):
     """The parameters from the design, and what the force loses at each breakpoint.
 
     Equation (5)-(7). Domain: any design.
     """
-    return alpha, beta
+    return alpha, beta, gamma
 
 
-def known(A, alpha, beta):
+def known(A, alpha, beta, gamma):
     """h, h_A, h_AA, h_AAA, h - A h_A together.
 
     Equation (20)-(22), (31). Domain: A >= 0.
     """
-    A2 = A**2
-    t0 = A2 * beta
+    t0 = A**2
+    gamma_A2 = gamma * t0
+    gamma_A4 = gamma_A2 * t0
+    beta_A2 = beta * t0
     t1 = 4.5 * beta
-    A3 = A * A2
-    return A * (-alpha - 0.75 * t0), -alpha - 2.25 * t0, -A * t1, -t1, 1.5 * A3 * beta
+    return (
+        A * (-alpha - 0.75 * beta_A2 - 0.625 * gamma_A4),
+        -alpha - 2.25 * beta_A2 - 3.125 * gamma_A4,
+        A * (-12.5 * gamma_A2 - t1),
+        -37.5 * gamma_A2 - t1,
+        A * (1.5 * beta_A2 + 2.5 * gamma_A4),
+    )

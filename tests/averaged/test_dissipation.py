@@ -582,7 +582,7 @@ def test_what_has_no_answer_is_refused_in_words():
         (lambda: Duffing(1.0, 0.5, mu=0.01, excitation="base"), "viscous, structural or quadratic damping only"),
         (lambda: Duffing(1.0, 0.5, zeta=0.01, c_3=0.1, excitation="base"), "cubic damping is derived for a force"),
         (
-            lambda: Oscillator(duffing.MECHANISM, alpha=1, beta=1, zeta=0.1, contact="attached"),
+            lambda: Oscillator(duffing.MECHANISM, alpha=1, beta=1, gamma=0, zeta=0.1, contact="attached"),
             "its force has one piece",
         ),
         (lambda: rubbing.replace(zeta=0.0), "nothing would dissipate beyond"),

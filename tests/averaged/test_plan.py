@@ -107,7 +107,7 @@ def test_the_linear_scene_gives_what_the_whole_force_gives():
 
 def test_derived_but_not_compiled_mechanism_is_solved():
     mechanism = dataclasses.replace(duffing.MECHANISM, name="fresh")
-    fresh, known = Model(mechanism, (1.0, 0.5), 0.01, 0.02), Model(duffing.MECHANISM, (1.0, 0.5), 0.01, 0.02)
+    fresh, known = Model(mechanism, (1.0, 0.5, 0.0), 0.01, 0.02), Model(duffing.MECHANISM, (1.0, 0.5, 0.0), 0.01, 0.02)
     same_folds(solvers.folds(fresh, 0.1), solvers.folds(known, 0.1))
     assert solvers.onset(fresh).F_SN == pytest.approx(solvers.onset(known).F_SN, rel=1e-13)
 
@@ -118,7 +118,7 @@ def test_error_in_the_compiled_path_is_no_missing_mechanism(monkeypatch):
 
     monkeypatch.setattr(backend.SOLVER, "onset", broken)
     with pytest.raises(IndexError):
-        solvers.onset(Model(duffing.MECHANISM, (1.0, 0.5), 0.01, 0.02))
+        solvers.onset(Model(duffing.MECHANISM, (1.0, 0.5, 0.0), 0.01, 0.02))
 
 
 @pytest.mark.parametrize("question", ["frequency_response", "amplitudes"])

@@ -126,7 +126,7 @@ def test_the_oracle_of_kernels_agrees_with_the_quadratures():
     names = {
         "rod_spring": "A alpha beta gamma u_cr",
         "rod_spring_untruncated": "A alpha beta delta_h",
-        "duffing": "A alpha beta",
+        "duffing": "A alpha beta gamma",
     }
     for module, arguments in names.items():
         for row in table[module]["averaged"]:

@@ -396,7 +396,7 @@ def test_folds_at_the_onset_are_there_whatever_was_asked_before(lam, r, delta_h,
 
 
 def test_quadratic_damping_alone_has_folds_that_end_at_rest():
-    numbers = {"alpha": 2.1, "beta": -0.7, "zeta": 0.0, "mu": 0.0, "c_2": 0.1}
+    numbers = {"alpha": 2.1, "beta": -0.7, "gamma": 0.0, "zeta": 0.0, "mu": 0.0, "c_2": 0.1}
     fresh, used = (Oscillator(duffing.MECHANISM, **numbers) for _ in range(2))
     onset = used.saddle_node_onset()
     assert Remark.FOLDS_AT_REST in onset.remarks and "from F_0 = 0 on" in onset.message

@@ -31,7 +31,7 @@ def doubles():
 
 def test_32_bits_are_refused():
     with jax.enable_x64(False), pytest.raises(Refused, match="32 bits"):
-        in_jax(duffing).h(0.5, 1.0, 2.0)
+        in_jax(duffing).h(0.5, 1.0, 2.0, 0.1)
 
 
 @pytest.mark.night
@@ -51,7 +51,7 @@ def test_values_on_jax_are_those_on_numpy(module):
 
 @pytest.mark.parametrize(
     ("module", "design"),
-    [(duffing, (1.0, 2.0)), (rod_spring, (3.0, 2.0, 0.08)), (rod_spring_untruncated, (3.0, 2.0, 0.08))],
+    [(duffing, (1.0, 2.0, 0.5)), (rod_spring, (3.0, 2.0, 0.08)), (rod_spring_untruncated, (3.0, 2.0, 0.08))],
     ids=["duffing", "rod_spring", "untruncated"],
 )
 def test_derivatives_are_those_of_the_derivation(module, design):

@@ -47,7 +47,7 @@ class Quadrature:
         exact = {k: Fraction(value(v)) for k, v in case["parameters"].items()}
         p = {k: mpf(v.numerator) / v.denominator for k, v in exact.items()}
         self.zeta, self.m, self.name = p.pop("zeta"), 4 * p.pop("mu") / mp.pi, case["mechanism"]
-        self.coefficients = rod_coefficients(**p) if self.name == "rod_spring" else [*p.values()]
+        self.coefficients = rod_coefficients(**p) if self.name == "rod_spring" else [*p.values(), mpf(0)]
         self.u_cr = self.coefficients[3] if self.name == "rod_spring" else None
 
     def F(self, Omega: mpf, A: mpf, F_0: mpf) -> tuple[mpf, mpf, mpf]:
@@ -67,7 +67,7 @@ class Quadrature:
 FORCES = {
     "rod_spring": [parameters_of(design) for design in DESIGNS],
     "rod_spring_untruncated": [(*parameters_of(design)[:2], design[-1]) for design in STEEP_DESIGNS],
-    "duffing": [(0.75, -1.3)],
+    "duffing": [(0.75, -1.3, 0.6)],
 }
 
 

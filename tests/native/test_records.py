@@ -139,7 +139,7 @@ def same(one, other) -> None:
 def test_a_record_compiled_elsewhere_is_solved_like_our_own(own, alpha, beta):
     record, damping = own(), (0.012, 0.02)
     mine = NATIVE.model(record, (beta, alpha, 0.0), damping)
-    ours = Model(duffing.MECHANISM, (alpha, beta), *damping).native
+    ours = Model(duffing.MECHANISM, (alpha, beta, 0.0), *damping).native
     same(NATIVE.onset(mine), NATIVE.onset(ours))
     same(NATIVE.detachment(mine), NATIVE.detachment(ours))
     same(NATIVE.fold_locus(mine, 2.0, 50), NATIVE.fold_locus(ours, 2.0, 50))
@@ -205,9 +205,9 @@ def test_what_is_no_record_is_refused(value):
 
 def test_too_few_parameters_are_refused():
     record = NATIVE.RECORDS["duffing"]
-    with pytest.raises(ValueError, match="duffing takes 2 parameters, not 1"):
+    with pytest.raises(ValueError, match="duffing takes 3 parameters, not 1"):
         NATIVE.model(record, (1.0,), (0.0, 0.02))
     with pytest.raises(ValueError, match="duffing takes 2 numbers of damping, not 3"):
-        NATIVE.model(record, (1.0, 0.5), (0.0, 0.02, 0.1))
+        NATIVE.model(record, (1.0, 0.5, 0.1), (0.0, 0.02, 0.1))
     with pytest.raises(ValueError, match="the damping is outside its domain"):
-        NATIVE.model(record, (1.0, 0.5), (-0.1, 0.02))
+        NATIVE.model(record, (1.0, 0.5, 0.1), (-0.1, 0.02))

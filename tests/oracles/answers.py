@@ -9,6 +9,7 @@ Condition numbers are those of `conditioning`: of the inputs, and of the values 
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 from typing import Any, TypeVar
 
@@ -57,7 +58,7 @@ class Anywhere(averaged.Oscillator):
         with workdps(int(BITS * 0.3)):
             p = [self.alpha, self.beta, self.gamma, self.u_cr]
             if self.mechanism == "duffing":
-                p = p[:2]
+                p = p[:3]
             elif self.mechanism == "rod_spring_untruncated":
                 p = [self.alpha, self.beta, self.parameters["delta_h"]]
             values = (_mpf(x if isinstance(x, fmpq) else exact_ball(x)) for x in (arb(A), *p))
@@ -169,8 +170,9 @@ class Nearby:
     def _nearest(self, A: float, on: Callable[[str, arb], T | None], amplitude: Callable[[T], arb]) -> T | None:
         """The solution next to a double, on its side; next to u_cr, or where there is none, of those on both."""
         u = self.oscillator.u_cr
-        if u is None:
-            return on(ATTACHED, arb(A))
+        if u is None:  # at a sharp peak Newton's method leaves the place from one double, and not from the next
+            starts = (A, math.nextafter(A, math.inf), math.nextafter(A, 0.0))
+            return next((found for start in starts if (found := on(ATTACHED, arb(start))) is not None), None)
         own = ATTACHED if arb(A) <= u else DETACHED
         found = on(own, arb(A))
         if found is not None and not abs(arb(A) - u) < NEXT * u:

@@ -62,7 +62,7 @@ MODULES = {
 }
 #: parameters of mechanisms that have no file to be read as a definition
 PARAMETERS = {
-    "duffing": ("alpha", "beta"),
+    "duffing": ("alpha", "beta", "gamma"),
     "rod_spring": ("alpha", "beta", "gamma", "u_cr"),
     "rod_spring_untruncated": ("alpha", "beta", "delta_h"),
 }
@@ -150,8 +150,8 @@ def _resultant(name: str, kernel: str, own: int) -> Function:
             of_product = getattr(importlib.import_module(f"slowflow_kernels.{name}"), kernel)
             scale = of_product(*(float(v.p) / float(v.q) for v in x))[-1]
             return [fmpq(*float(scale).as_integer_ratio()) * c for c in found]
-        used = x[: own + (2 if name == "duffing" else 3)]
-        return RESULTANTS[kernel](resultants.LEADING[name, kernel](*used[own - 1 :]), *used)
+        used = x[: own + 3]
+        return RESULTANTS[kernel](resultants.LEADING[kernel](*used[own - 1 :]), *used)
 
     return resultants.of_reals(of_rationals)
 
@@ -188,7 +188,7 @@ def averages(name: str, passed: int, A: Any, *p: Any) -> list[Any]:
         return averaged_force.harmonic_by_quadrature(name, 1, passed, A, *p)
     if name == "rod_spring_untruncated":
         return _untruncated(passed, A, *p)
-    alpha, beta, gamma, u = p if name == "rod_spring" else (*p, mpf(0), mpf(1))
+    alpha, beta, gamma, u = p if name == "rod_spring" else (*p, mpf(1))
     parameters = {"alpha": alpha, "beta": beta, "gamma": gamma, "u": u}
     with precision(3 * mp.prec + 300):
         force = Truncated(zeta=1, mu=0, **{key: rational(value) for key, value in parameters.items()})

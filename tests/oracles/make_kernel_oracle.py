@@ -116,7 +116,7 @@ def numbers_of(name: str) -> tuple:
     """Designs and parameters of a mechanism, amplitudes with parameters, and some of these."""
     ratios = (0.5, 1.1, 2.2)
     if name == "duffing":
-        parameters = [(1 + kappa_1, kappa_3) for kappa_1, kappa_3 in DUFFINGS]
+        parameters = [(1 + kappa_1, *others) for kappa_1, *others in DUFFINGS]
         amplitudes, some = (
             [(A, p) for p in parameters for A in few] for few in ((0.0, 1e-8, 0.1, 0.7, 3.0), (0.1, 0.6))
         )

@@ -15,20 +15,20 @@ from slowflow_kernels import duffing, rod_spring, rod_spring_untruncated
 from slowflow_kernels.conventions import Status
 
 
-def _doubled(A, alpha, beta):
-    return duffing.MECHANISM.averaged(A, alpha, 2 * beta)
+def _doubled(A, alpha, beta, gamma):
+    return duffing.MECHANISM.averaged(A, alpha, 2 * beta, gamma)
 
 
-def _doubled_harmonics(A, alpha, beta):
-    return duffing.MECHANISM.harmonics(A, alpha, 2 * beta)
+def _doubled_harmonics(A, alpha, beta, gamma):
+    return duffing.MECHANISM.harmonics(A, alpha, 2 * beta, gamma)
 
 
-def _doubled_intercept(A, alpha, beta):
-    return duffing.MECHANISM.intercept(A, alpha, 2 * beta)
+def _doubled_intercept(A, alpha, beta, gamma):
+    return duffing.MECHANISM.intercept(A, alpha, 2 * beta, gamma)
 
 
-def _doubled_coefficients(alpha, beta):
-    return alpha, 2 * beta
+def _doubled_coefficients(alpha, beta, gamma):
+    return alpha, 2 * beta, gamma
 
 
 def test_a_record_that_was_changed_answers_for_itself():
@@ -38,7 +38,7 @@ def test_a_record_that_was_changed_answers_for_itself():
         dataclasses.replace(duffing.MECHANISM, **of_force),
         dataclasses.replace(duffing.MECHANISM, coefficients=_doubled_coefficients),
     ):
-        numbers = {"beta": 0.3, "mu": 0.01, "zeta": 0.05}
+        numbers = {"beta": 0.3, "gamma": 0.1, "mu": 0.01, "zeta": 0.05}
         expected = Oscillator(duffing.MECHANISM, alpha=1.0, **{**numbers, "beta": 0.6})
         kept = pickle.loads(pickle.dumps(changed))
         assert kept == changed != duffing.MECHANISM
@@ -61,22 +61,22 @@ def test_a_record_of_ones_own_is_pickled_by_its_functions():
     assert pickle.loads(pickle.dumps(duffing.MECHANISM)) is duffing.MECHANISM
 
 
-def _zero_over_zero(A, alpha, beta):
+def _zero_over_zero(A, *parameters):
     """Right wherever A > 0."""
     A = np.asarray(A, dtype=float)
     with np.errstate(invalid="ignore"):
         own = A / A
-    return tuple(own * value for value in duffing.MECHANISM.averaged(A, alpha, beta))
+    return tuple(own * value for value in duffing.MECHANISM.averaged(A, *parameters))
 
 
-def _without_alpha_at_rest(A, alpha, beta):
+def _without_alpha_at_rest(A, alpha, *others):
     """As where the limit is stated as a special case, wrong."""
     at = np.asarray(A, dtype=float) > 0
-    return duffing.MECHANISM.averaged(A, np.where(at, alpha, 0.0), beta)
+    return duffing.MECHANISM.averaged(A, np.where(at, alpha, 0.0), *others)
 
 
-def _with_a_step_at_rest(A, alpha, beta):
-    h, *slopes = duffing.MECHANISM.averaged(A, alpha, beta)
+def _with_a_step_at_rest(A, *parameters):
+    h, *slopes = duffing.MECHANISM.averaged(A, *parameters)
     return h - np.where(np.asarray(A, dtype=float) > 0, 0.0, 0.25), *slopes
 
 
@@ -91,7 +91,7 @@ def _with_a_step_at_rest(A, alpha, beta):
 def test_a_record_that_does_not_hold_at_rest_is_refused(averaged, message):
     """Its folds and onsets were computed with a wrong stiffness at rest."""
     wrong = dataclasses.replace(duffing.MECHANISM, averaged=averaged)
-    numbers = {"alpha": 1.0, "beta": 0.3, "mu": 0.01, "zeta": 0.05}
+    numbers = {"alpha": 1.0, "beta": 0.3, "gamma": 0.1, "mu": 0.01, "zeta": 0.05}
     with pytest.raises(ValueError, match=f"the record of duffing does not hold at A = 0: averaged gives {message}"):
         Oscillator(wrong, **numbers)
     assert Oscillator.many(wrong, **numbers).saddle_node_onset().status == Status.INVALID

@@ -385,6 +385,7 @@ def test_units_have_the_sizes_of_their_prefixes():
     """Those of the International System by their definition, a prefix being a power of ten; a gram is not its unit."""
     others = {"rpm": 1 / 60, "rad/s": 1 / (2 * math.pi), "g": 9.80665, "deg": math.pi / 180, "min": 60.0, "h": 3600.0}
     prefixes = {"mN": 1e-3, "kN": 1e3, "mm": 1e-3, "um": 1e-6, "ms": 1e-3, "mm/s": 1e-3, "N/mm": 1e3, "N/mm^3": 1e9}
+    prefixes |= {"N/mm^5": 1e15}
     pound = 0.45359237
     others |= {"in": 0.0254, "lb": pound, "lbf": pound * 9.80665, "lbf/in": pound * 9.80665 / 0.0254}
     sizes = {unit: size for units in UNITS.values() for unit, size in units.items() if size != 1}
@@ -670,7 +671,7 @@ def test_gradients_in_si_units_are_by_what_was_given(mount):
     assert found.of == ("A", "phi", "transmissibility") and set(found.by) == set(arguments)
     change = np.abs(found["A"][0] * [arguments[name] for name in found.by]).sum()
     assert found.condition("A")[0] == pytest.approx(change / states.A[0], rel=1e-13)
-    sheet = {"m": 12.0, "k_1": 2500.0, "k_3": 4e5, "friction": 0.4, "c": 8.0}
+    sheet = {"m": 12.0, "k_1": 2500.0, "k_3": 4e5, "k_5": 1e8, "friction": 0.4, "c": 8.0}
     assert set(Duffing.physical(**sheet).peak(5.0).gradient().by) == {*sheet, "F"}
 
 

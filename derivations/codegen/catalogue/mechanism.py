@@ -145,8 +145,35 @@ def state_averaged(
 ) -> Kernel:
     """Some of h, H and their derivatives together, or what else `doc` says."""
     doc = doc or f"{', '.join(outputs)} together."
+    if len(cases) == 1 and not cases[0].lets:
+        cases = (by_squares(cases[0]),)
     of.add(name, cases, doc, "(20)-(22), (31)", "A >= 0", arguments=(A,), **keywords)
     return of.kernels[name]
+
+
+def by_squares(branch: Branch) -> Branch:
+    """Polynomials in A, odd or even, term by term: a parameter takes A^2 as often as its power asks for.
+
+    By Horner's rule each product waits for the one before, and states of a batch take a tenth longer. Powers of A by
+    themselves overflow where their parameter is 0, and the product is no number. Other averages stay as they are.
+    """
+    polynomials = [sp.Poly(value, A) for value in branch.outputs]
+    terms = [[(n, *c.as_coeff_Mul()) for (n,), c in polynomial.terms()] for polynomial in polynomials]
+    if any(n % 2 != of[0][0] % 2 or (n > 1 and not c.is_Symbol and c != 1) for of in terms for n, _, c in of):
+        return branch
+    lets: dict[sp.Symbol, sp.Expr] = {}
+
+    def times_squares(parameter: sp.Expr, count: int) -> sp.Expr:
+        if count == 0 or parameter == 1:
+            return parameter * A ** (2 * count)
+        name = sp.Symbol(f"{parameter}_A{2 * count}", real=True)
+        lets[name] = A**2 * times_squares(parameter, count - 1)
+        return name
+
+    outputs = (
+        A ** (of[0][0] % 2) * sp.Add(*(number * times_squares(c, n // 2) for n, number, c in of)) for of in terms
+    )
+    return replace(branch, outputs=tuple(outputs), lets=tuple(lets.items()))
 
 
 #: names of h and of H with its derivatives; the further ones of H are those of h

@@ -75,7 +75,7 @@ class Derived:
     def cubic(self, linear: Any, cubic: Any) -> sp.Expr:
         """h of the oscillator with a cubic term, with these coefficients."""
         names = self._duffing.oscillator.definitions
-        return self._duffing.whole.regimes[0].derivatives[0].subs(dict(zip(names, (linear, cubic), strict=True)))
+        return self._duffing.whole.regimes[0].derivatives[0].subs(dict(zip(names, (linear, cubic, 0), strict=True)))
 
     def response(self, average: sp.Expr) -> sp.Expr:
         """F (24) without friction, with this h."""

@@ -73,6 +73,7 @@ UNITS: Mapping[str, Mapping[str, float]] = MappingProxyType(
         "unbalance": {"kg m": 1.0, "kg mm": 1e-3, "g mm": 1e-6},
         "stiffness": {"N/m": 1.0, "N/mm": 1e3, "lbf/in": LB * g / 0.0254},
         "cubic stiffness": {"N/m^3": 1.0, "N/mm^3": 1e9},
+        "quintic stiffness": {"N/m^5": 1.0, "N/mm^5": 1e15},
         "angle": {"rad": 1.0, "deg": math.tau / 360},
         "mass": {"kg": 1.0, "lb": LB},
         "quadratic damping": {"N s^2/m^2": 1.0},
@@ -84,7 +85,7 @@ UNITS: Mapping[str, Mapping[str, float]] = MappingProxyType(
 )
 #: those in which answers are shown, one of each kind
 USUAL = (
-    *("N", "mm", "Hz", "ms", "mm/s", "m/s^2", "N/m", "N/m^3", "rad", "kg", "kg m", "1/s"),
+    *("N", "mm", "Hz", "ms", "mm/s", "m/s^2", "N/m", "N/m^3", "N/m^5", "rad", "kg", "kg m", "1/s"),
     *("N s/m", "N s^2/m^2", "N s^3/m^3", "N s/m^3"),
 )
 #: amplitudes of the excitation: the dimensionless F_0 is F, Y, U or a, of this kind
@@ -115,8 +116,9 @@ DATA_SHEET: Mapping[str, tuple[str, str]] = MappingProxyType(
         "load": ("kg", "mass on the mount, if different from m"),
         "k_v": ("N/m", "stiffness of the vertical spring"),
         "k_h": ("N/m", "stiffness of each horizontal spring"),
-        "k_1": ("N/m", "stiffness of a cubic spring at the centre"),
-        "k_3": ("N/m^3", "factor of x^3 of a cubic spring"),
+        "k_1": ("N/m", "stiffness of a spring at the centre"),
+        "k_3": ("N/m^3", "factor of x^3 of a spring"),
+        "k_5": ("N/m^5", "factor of x^5 of a spring"),
         "n": ("", "number of horizontal springs"),
         "L": ("m", "length of a push-rod"),
         "preload": ("m", "compression of a horizontal spring at the centre"),
@@ -136,7 +138,7 @@ DATA_SHEET: Mapping[str, tuple[str, str]] = MappingProxyType(
 SHEET: Mapping[str, str] = MappingProxyType({name: unit for name, (unit, _) in DATA_SHEET.items()})
 #: a mount's names for the letters of the scales of its design and its damping
 NAMES = {"lam": "n", "k_h": "k_h", "Delta_h": "preload", "F_c": "friction", "c": "c", "c_q": "c_2", "c_c": "c_3"}
-NAMES |= {"c_xx": "c_xx", "k_1": "k_1", "k_3": "k_3"}
+NAMES |= {"c_xx": "c_xx", "k_1": "k_1", "k_3": "k_3", "k_5": "k_5"}
 #: numbers of a mount that add up over several
 PER_MOUNT = ("k_v", "k_h", "friction", "c", "c_2", "c_3", "c_xx")
 #: the bases of all scales, in the order of their powers
@@ -163,8 +165,12 @@ OF_KIND: Mapping[str, Scale] = MappingProxyType(
         "speed": Scale("v", 1.0, (0.5, 1.0, -0.5)),
     }
 )
-#: of a cubic spring
-CUBIC = {"alpha": Scale("k_1", 1.0, (1.0, 0.0, 0.0)), "beta": Scale("k_3", 1.0, (1.0, -2.0, 0.0))}
+#: stiffnesses of `Duffing.physical`, and their scales by the dimensionless names
+SPRINGS = ("k_1", "k_3", "k_5")
+OF_SPRINGS = {
+    name: Scale(spring, 1.0, (1.0, -2.0 * order, 0.0))
+    for order, (name, spring) in enumerate(zip(("alpha", "beta", "gamma"), SPRINGS, strict=True))
+}
 WITHOUT_PRELOAD = "without preload the springs never touch the push-rod: none of their parameters affects an answer"
 #: member that only the dimensionless answer has
 OF_THE_ANSWER = "validity"
@@ -483,7 +489,9 @@ class Scales:
     @functools.cached_property
     def measures(self) -> dict[str, tuple[str, Scale]]:
         """For each number of a design and its damping, by name: the mount's name, and the scale."""
-        design = CUBIC if "k_1" in self.sheet else dict(zip(ROD_SPRING.design_names, ROD_SPRING.scales, strict=True))
+        design = (
+            OF_SPRINGS if "k_1" in self.sheet else dict(zip(ROD_SPRING.design_names, ROD_SPRING.scales, strict=True))
+        )
         scales = design | {one.name: SCALES[one.name] for one in (*DAMPING, *DISSIPATION)}
         scales |= {"zeta": PURE} if self.damping == "zeta" else {}
         found = {}
@@ -632,14 +640,16 @@ class ManyScales(Scales):
 def _by_springs(
     names: tuple[str, ...], slopes: Floats, numbers: tuple[Any, ...]
 ) -> tuple[tuple[str, ...], Floats, tuple[Any, ...]]:
-    """Convert to derivatives by the data of a cubic spring, of which k_v and L are none.
+    """Convert to derivatives by the data of `Duffing.physical`, of which k_v and L are none.
 
-    A damping ratio and a loss factor refer to |k_1|, or where k_1 = 0 to |k_3|: at a constant ratio the damping changes
-    with the stiffness.
+    A damping ratio and a loss factor refer to the first stiffness that is not 0: at a constant ratio the damping
+    changes with it.
     """
     found, known = slopes.copy(), dict(zip(names, numbers, strict=True))
-    for spring, refers in (("k_1", known["k_1"] != 0), ("k_3", known["k_1"] == 0)):
-        stiffness = np.where(refers, known[spring], np.inf)
+    softer: Any = True  # whether all stiffnesses before are 0
+    for spring in SPRINGS:
+        stiffness = np.where(softer & (known[spring] != 0), known[spring], np.inf)
+        softer &= known[spring] == 0
         for ratio, power in (("zeta", 0.5), ("eta", 1.0)):
             if ratio in names:
                 change = power * known[ratio] / stiffness

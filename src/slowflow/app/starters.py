@@ -70,7 +70,7 @@ def of_loop(path: Path, m: Any) -> str:
         if unit != units[name]:
             raise Refused(f"{columns.head}: {name} in {unit} is not allowed: {name} must have a unit of {units[name]}")
     try:
-        loop = from_loop(**columns)
+        loop = from_loop(columns["x"], columns["F"], t=columns.get("t"))
         known: dict[str, Any] = {one.parameter: one.value for one in loop if not one.low <= 0 <= one.high}
         mount = Duffing.physical(m=m, **{"k_1": 0.0, **known})
     except (ValueError, ArithmeticError) as error:

@@ -287,8 +287,8 @@ def followed(force: Force, name: str) -> Force:
     return force
 
 
-#: alpha and beta of the cubic spring that is linear
-LINEAR = (1.0, 0.0)
+#: alpha, beta and gamma of the Duffing oscillator that is linear
+LINEAR = (1.0, 0.0, 0.0)
 
 
 #: of the numbers that h and its slope are made of: what rounding in a formula of another's may cost

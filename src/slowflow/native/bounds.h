@@ -6,6 +6,9 @@
 #include "arc_links.h"
 #include "scan.h"
 
+/* Amplitudes to begin at are not larger: squares of endless ones are doubles, which a stiffness that is 0 makes 0. */
+#define SF_SQUARED (0x1p511 / SF_ENDLESS)
+
 /* The last Omega > 0 at which the level of a force is stationary, its minimum over Omega > 0; 0 if there is none. */
 static double sf_last_stationary(const sf_model *model, const sf_sample *at) {
     sf_quartic cubic;
@@ -213,7 +216,7 @@ static sf_status sf_amplitude_bound(const sf_model *model, double F_0, double *A
     int (*const bounds)(const sf_model *, double, double) = bent       ? sf_bounds_bent
                                                             : inertial ? sf_inertial_bounds
                                                                        : sf_bounds;
-    double A = F_0, step = 2, cut = model->reach, bound = sf_bound_of_laws(model, F_0);
+    double A = fmin(F_0, SF_SQUARED), step = 2, cut = model->reach, bound = sf_bound_of_laws(model, F_0);
     sf_status status = SF_OK;
     const int is_free = laws && sf_is_free(model) && model->eta == 0;
     if (is_free && inertial && model->zeta == 0 && model->m == 0)
@@ -253,7 +256,7 @@ static double sf_undamped_cut(const sf_model *model, double F_0) {
     double A = model->reach;
     if (A < HUGE_VAL)
         return A;
-    A = SF_STATIC_MULTIPLE * F_0;
+    A = fmin(SF_STATIC_MULTIPLE * F_0, SF_SQUARED);
     if (model->breaks > 0)
         A = fmax(A, 2 * model->b[model->breaks - 1]);
     for (int i = 0; !sf_inertial(model) && i < SF_RUNGS; i++, A *= 2) {

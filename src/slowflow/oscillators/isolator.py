@@ -1,6 +1,6 @@
 """The shipped oscillators by name. Takes their parameters; returns oscillators that answer every question.
 
-`Isolator` is the paper's mechanism, `Duffing` one cubic piece. Names, domains and one-line docs are the records'.
+`Isolator` is the paper's mechanism, `Duffing` one polynomial. Names, domains and one-line docs are the records'.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from slowflow.answers.quantities import EXCITED, SHEET, Scales, g, si
+from slowflow.answers.quantities import EXCITED, SHEET, SPRINGS, Scales, g, si
 from slowflow.core import validate
 from slowflow.core.mechanism import LINEAR, Force, Mechanism, described
 from slowflow.core.model import THROUGHOUT, Laws, Model
@@ -75,12 +75,16 @@ def _of_rods(
     return scales, numbers
 
 
-def _of_cubic(known: Mapping[str, Any], of: type[Scales], **settings: str) -> tuple[Scales, dict[str, Any]]:
-    """The same of cubic springs: L makes both terms 1 at x = L; where there is one term only, it is 1 m."""
-    k_1, k_3 = (np.asarray(known[name], dtype=float) for name in ("k_1", "k_3"))
+def _of_spring(known: Mapping[str, Any], of: type[Scales], **settings: str) -> tuple[Scales, dict[str, Any]]:
+    """The same of springs without a rod: at x = L the first other term equals k_1 x; L is 1 m where there are not two.
+
+    Without k_1 the first term that there is has the dimensionless factor 1.
+    """
+    k_1, k_3, k_5 = (np.abs(np.asarray(known[name], dtype=float)) for name in SPRINGS)
     with np.errstate(all="ignore"):
-        L = np.where((k_1 != 0) & (k_3 != 0), np.sqrt(np.abs(k_1 / k_3)), 1.0)
-        k_v = np.where(k_1 != 0, np.abs(k_1), np.abs(k_3) * L**2)
+        L = np.fmin(np.sqrt(k_1 / k_3), np.sqrt(np.sqrt(k_1 / k_5)))
+        L = np.where((k_1 != 0) & ((k_3 != 0) | (k_5 != 0)), L, 1.0)
+        k_v = np.where(k_1 != 0, k_1, np.where(k_3 != 0, k_3, k_5))
     base: dict[str, Any] = {"k_v": k_v[()], "L": L[()], **settings}
     scales = of(m=known["m"], sheet=known, **base)
     return scales, _numbers(scales, known)
@@ -301,7 +305,7 @@ class Isolator(Oscillator):
 
 
 class Duffing(Oscillator):
-    __doc__ = f"""The Duffing oscillator u'' + 2 zeta u' + mu sign(u') + alpha u + beta u^3 = F_0 cos(Omega tau).
+    __doc__ = f"""u'' + 2 zeta u' + mu sign(u') + alpha u + beta u^3 + gamma u^5 = F_0 cos(Omega tau): Duffing's.
 
 {described((*DUFFING.design, *DAMPING, *DISSIPATION))}
     mu_s -- static friction, as in `Oscillator`
@@ -313,6 +317,7 @@ class Duffing(Oscillator):
 
     alpha: float
     beta: float
+    gamma: float
 
     @validate.with_known_arguments
     def __init__(
@@ -322,6 +327,7 @@ class Duffing(Oscillator):
         mu: float = 0.0,
         zeta: float = 0.0,
         *,
+        gamma: float = 0.0,
         eta: float = 0.0,
         c_2: float = 0.0,
         c_3: float = 0.0,
@@ -331,8 +337,9 @@ class Duffing(Oscillator):
         load: float = 0.0,
     ) -> None:
         damping = {"mu": mu, "zeta": zeta, "eta": eta, "c_2": c_2, "c_3": c_3, "zeta_2": zeta_2, "mu_s": mu_s}
+        springs = {"alpha": alpha, "beta": beta, "gamma": gamma}
         contact = THROUGHOUT  # one piece, without springs that detach
-        super().__init__(DUFFING, alpha=alpha, beta=beta, contact=contact, excitation=excitation, load=load, **damping)
+        super().__init__(DUFFING, contact=contact, excitation=excitation, load=load, **springs, **damping)
         del self.given["mechanism"]
 
     @classmethod
@@ -343,6 +350,7 @@ class Duffing(Oscillator):
         m: Number,
         k_1: Number,
         k_3: Number = 0.0,
+        k_5: Number = 0.0,
         friction: Number = 0.0,
         c: Number | None = None,
         zeta: float | None = None,
@@ -352,16 +360,17 @@ class Duffing(Oscillator):
         c_xx: Number = 0.0,
         excitation: str = "force",
     ) -> Physical:
-        """Make a mass on a cubic spring, k_1 x + k_3 x^3, in newtons, metres and hertz.
+        """Make a mass on a spring k_1 x + k_3 x^3 + k_5 x^5, in newtons, metres and hertz.
 
         Parameters
         ----------
         m : float, kg
             Mass that moves, at rest at x = 0.
-        k_1, k_3 : float, N/m and N/m^3
-            A negative k_1 is a double well, a negative k_3 a softening spring.
+        k_1, k_3, k_5 : float, N/m, N/m^3 and N/m^5
+            A negative k_1 is a double well, a negative k_3 or k_5 softens. Signs may differ: a spring that
+            softens and then hardens may have four folds.
         friction, c, zeta, eta, c_2, c_3, c_xx, excitation : as of `Isolator.physical`
-            Here zeta is c/(2 sqrt(k m)) with k = |k_1|, or k = |k_3| (1 m)^2 if k_1 = 0.
+            Here zeta is c/(2 sqrt(k m)) with k = |k_1|, or k = |k_3| (1 m)^2 if k_1 = 0, or |k_5| (1 m)^4 if both are.
 
         Returns
         -------
@@ -374,20 +383,20 @@ class Duffing(Oscillator):
             For a number outside its domain, and without a spring.
         """
         (damping,) = viscous = _viscous(c, zeta)
-        springs = {"k_1": k_1, "k_3": k_3}
+        springs = {"k_1": k_1, "k_3": k_3, "k_5": k_5}
         laws = {"friction": friction, "eta": eta, "c_2": c_2, "c_3": c_3, "c_xx": c_xx, **viscous}
         excitation = validate.excitation(excitation, tuple(EXCITED))
         arguments: dict[str, Any] = {"m": m, **springs, **laws, "excitation": excitation}
         in_si = {name: si(name, value, SHEET[name]) for name, value in arguments.items()}
         in_si |= {name: validate.number(name, in_si[name]) for name in springs}
         if not any(in_si[name] for name in springs):
-            raise Refused("k_1 = k_3 = 0 is not allowed: there is no spring")
-        scales, numbers = _of_cubic(in_si, Scales, excitation=excitation, damping=damping)
+            raise Refused("k_1 = k_3 = k_5 = 0 is not allowed: there is no spring")
+        scales, numbers = _of_spring(in_si, Scales, excitation=excitation, damping=damping)
         with scales.in_these_terms():
             oscillator = cls(excitation=scales.of_oscillator, **numbers)
         return Physical(oscillator, scales, arguments)
 
-    _of_sheet = staticmethod(_of_cubic)
+    _of_sheet = staticmethod(_of_spring)
 
     @of_arrays_or_labelled
     @validate.with_known_arguments
@@ -398,6 +407,7 @@ class Duffing(Oscillator):
         mu: Unlabelled = 0.0,
         zeta: Unlabelled = 0.0,
         *,
+        gamma: Unlabelled = 0.0,
         eta: Unlabelled = 0.0,
         c_2: Unlabelled = 0.0,
         c_3: Unlabelled = 0.0,
@@ -407,5 +417,6 @@ class Duffing(Oscillator):
     ) -> Designs:
         """Make a batch from the arguments of `Duffing`, arrays that broadcast; see `Isolator.many`."""
         damping = {"mu": mu, "zeta": zeta, "eta": eta, "c_2": c_2, "c_3": c_3, "zeta_2": zeta_2}
-        found: Designs = super().many(DUFFING, alpha=alpha, beta=beta, excitation=excitation, load=load, **damping)
+        springs = {"alpha": alpha, "beta": beta, "gamma": gamma}
+        found: Designs = super().many(DUFFING, excitation=excitation, load=load, **springs, **damping)
         return found

@@ -209,8 +209,10 @@ def fit(
     else:
         found = [_one_set(of, free, {name: one[name] for name in one if name != "deviation"}) for one in sets]
         subject, measured = found[0][0], _together([one for _, one in found], [one.get("deviation") for one in sets])
-    # the number of springs is known
-    default = [subject.name(one) for one in ("mu", "zeta", *subject.mechanism.design_names) if one != "lam"]
+    # the number of springs is known, and a spring without a quintic term is cubic
+    start = getattr(of, "oscillator", of)
+    known = {"lam"} | ({"gamma"} if getattr(start, "gamma", None) == 0 else set())
+    default = [subject.name(one) for one in ("mu", "zeta", *subject.mechanism.design_names) if one not in known]
     with np.errstate(
         over="ignore", divide="ignore", invalid="ignore"
     ):  # numbers at the ends of the range: words follow

@@ -1,7 +1,7 @@
 """Spring and friction from a measured force-displacement loop.
 
-The force is linear in the unknowns: F = F_mean + k_1 x + k_3 x^3 + friction sign(v) + c v. A least-squares fit
-determines them, without the samples next to a reversal of the motion.
+The force is linear in the unknowns: F = F_mean + k_1 x + k_3 x^3 + k_5 x^5 + friction sign(v) + c v. A least-squares
+fit determines them, without the samples next to a reversal of the motion.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from slowflow.answers.quantities import SHEET, in_shown
+from slowflow.answers.quantities import SHEET, SPRINGS, in_shown
 from slowflow.core.mechanism import Floats
 from slowflow.oscillators.isolator import Duffing
 from slowflow.oscillators.physical import Physical
@@ -88,7 +88,7 @@ class Loop(Numbers):
         return pictures.loop(ax, self.x / mm, self.F, self.fitted, (f"x/{length}", f"F/{force}"))
 
 
-def from_loop(x: Any, F: Any, *, t: Any = None) -> Loop:
+def from_loop(x: Any, F: Any, *, t: Any = None, degree: int = 3) -> Loop:
     """Identify spring and friction of a measured force-displacement loop, by linear least squares.
 
     Intervals account for normal noise in the force alone. Samples at which the motion reverses are left out. At one
@@ -102,26 +102,29 @@ def from_loop(x: Any, F: Any, *, t: Any = None) -> Loop:
         Force in N, shape (n,).
     t : array_like, optional
         Times of the samples in s, ascending; the viscous damping c is then identified too.
+    degree : {3, 5}
+        Degree of the spring's polynomial: 5 identifies k_5 too.
 
     Returns
     -------
     Loop
-        .value .error .low .high of k_1, k_3, friction and c, in SI units; `.oscillator(m=...)` makes an oscillator with
-        these.
+        .value .error .low .high of k_1, k_3, k_5, friction and c, in SI units; `.oscillator(m=...)` makes an oscillator
+        with these.
 
     Raises
     ------
     ValueError, ArithmeticError
         For invalid arguments, and for a loop with the wrong direction; if it does not determine the parameters.
     """
+    if degree not in (3, 5):
+        raise Refused(f"degree = {degree!r} is not allowed: it must be 3 or 5")
     rows = _samples({"x": x, "F": F} | ({} if t is None else {"t": t}), LEAST_SAMPLES)
     x, F = rows["x"], rows["F"]
     v = _velocity(x) / (1.0 if t is None else _velocity(rows["t"]))
     goes = np.abs(v) > TURNS * np.abs(v).max()
     columns = {
         "F_mean": np.ones_like(x),
-        "k_1": x,
-        "k_3": x**3,
+        **{name: x**power for name, power in zip(SPRINGS, (1, 3, 5), strict=True) if power <= degree},
         "friction": np.sign(v),
         **({} if t is None else {"c": v}),
     }

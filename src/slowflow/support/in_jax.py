@@ -43,7 +43,7 @@ def in_jax(module: ModuleType) -> SimpleNamespace:
     >>> import jax                                                        # doctest: +SKIP
     >>> jax.config.update("jax_enable_x64", True)                         # doctest: +SKIP
     >>> from slowflow_kernels import duffing                              # doctest: +SKIP
-    >>> float(jax.grad(in_jax(duffing).h)(0.5, 1.0, 2.0))                 # doctest: +SKIP
+    >>> float(jax.grad(in_jax(duffing).h)(0.5, 1.0, 2.0, 0.0))            # doctest: +SKIP
     -2.125
     """
     import jax.numpy as jnp

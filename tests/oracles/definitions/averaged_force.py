@@ -34,8 +34,8 @@ def pieces(name: str, p: Sequence):
     if other := stated(name):
         return other.pieces(p)
     if name == "duffing":
-        alpha, beta = p
-        return [lambda u: alpha * u + beta * u**3], []
+        alpha, beta, gamma = p
+        return [lambda u: alpha * u + beta * u**3 + gamma * u**5], []
     if name == "rod_spring_untruncated":
         alpha, beta, delta_h = p
         # the rod's end has drawn back by delta_h
@@ -91,8 +91,7 @@ def harmonic_by_quadrature(name: str, n: int, passed: int, A, *p) -> list:
         # what rounding leaves of a zero: a linear piece has no harmonics
         return [value * (not taylor[k].contains(0)) for k, value in enumerate(derivatives(taylor))]
     forces = {
-        "duffing": lambda u, q: q[0] * u + q[1] * u**3,
-        "rod_spring": lambda u, q: q[0] * u + q[1] * u**3 + q[2] * u**5,
+        **dict.fromkeys(("duffing", "rod_spring"), lambda u, q: q[0] * u + q[1] * u**3 + q[2] * u**5),
         "rod_spring_untruncated": lambda u, q: (q[0] - 2 * q[1]) * u + 2 * q[1] * u / (1 - u**2).sqrt(),
     }
     q = [ball(x) for x in p]
@@ -186,7 +185,7 @@ def steps_by(name: str, *q) -> list:
 def slopes_at(name: str, q: Sequence, polynomial, at) -> list:
     """A polynomial of the force and its derivatives, from as many values as they need, by exact interpolation."""
     other = stated(name)
-    degree = max(map(max, other.polynomials(q))) if other else {"duffing": 3, "rod_spring": 5}[name]
+    degree = max(map(max, other.polynomials(q))) if other else 5
     nodes = [mpf(j) / 4 for j in range(1, degree + 2)]
     rows = mp.matrix([[node**k / mp.factorial(k) for k in range(degree + 1)] for node in nodes])
     found = mp.lu_solve(rows, mp.matrix([polynomial(at + node) for node in nodes]))
@@ -205,7 +204,7 @@ def hardening(name: str, *q) -> list:
         return other.hardening(q)
     if name == "rod_spring_untruncated":
         return [2 * q[1]]
-    return [*q[1 : 2 if name == "duffing" else 3], *(-jump for jump in jumps(name, *q))]
+    return [*q[1:3], *(-jump for jump in jumps(name, *q))]
 
 
 def of_force(name: str, kernel: str, passed: int = 0) -> Function:
@@ -249,7 +248,7 @@ BY_PARAMETERS = {"jumps": jumps, "hardening": hardening, "steps": steps, "steps_
 COEFFICIENTS = {
     "rod_spring": rod_coefficients,
     "rod_spring_untruncated": untruncated_coefficients,
-    "duffing": lambda alpha, beta: [alpha, beta],
+    "duffing": lambda *design: [*design],
 }
 
 

@@ -97,7 +97,7 @@ RANGES: dict[str, Range] = {name: ends for ends, names in _BETWEEN.items() for n
 TABLE_1 = tuple(float(published.TABLE_1[name]) for name in ("lam", "r", "delta_h"))
 DESIGNS = (TABLE_1, (1.0, 0.5, 0.05), (4.0, 4.0, 0.0606), (1.0, 1.0, 0.9), (2.0, 1.5, 0.5), (3.0, 2.0, 1e-6))
 STEEP_DESIGNS = (*DESIGNS, (1.0, 0.8, 0.33), (1.0, 1.2, 0.34), (1.0, 1.0, 0.99))
-DUFFINGS = ((1.0, 0.3), (0.2, 2.5), (-0.1, 1.0), (1.0, -0.4))
+DUFFINGS = ((1.0, 0.3, 0.1), (0.2, 2.5, -0.7), (-0.1, 1.0, 0.3), (1.0, -0.4, 0.2))
 
 
 def parameters_of(design: Sequence[float]) -> tuple[float, ...]:

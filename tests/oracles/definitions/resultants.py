@@ -112,10 +112,8 @@ def saddle_nodes(leading, F_0, m, zeta, *coefficients):
 
 #: the scale of a resultant is a convention: its leading coefficient once its factors are primitive over the integers
 LEADING = {
-    ("rod_spring", "saddle_node_onset"): lambda zeta, a, b, c: 9765625 * c**8,
-    ("rod_spring", "saddle_nodes"): lambda zeta, a, b, c: 15625 * c**6 * zeta**4,
-    ("duffing", "saddle_node_onset"): lambda zeta, a, b: 59049 * b**8,
-    ("duffing", "saddle_nodes"): lambda zeta, a, b: 729 * b**6 * zeta**4,
+    "saddle_node_onset": lambda zeta, a, b, c: 9765625 * c**8,
+    "saddle_nodes": lambda zeta, a, b, c: 15625 * c**6 * zeta**4,
 }
 
 
