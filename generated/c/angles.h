@@ -16,8 +16,7 @@
    atan(t), u = 2^-53. No branches, no 0/0: a sum, as compilers make of a choice two quotients, of which the one by 1
    overflows further on. Both functions take it of the same arguments: a compiler computes it once where both acute angles
    of a triangle are needed. */
-SF_COMMON double angles_of_quotient(double x, double y, double *t)
-{
+SF_COMMON double angles_of_quotient(double x, double y, double *t) {
     const double a = fabs(x), b = fabs(y);
     const double larger = b > a ? b : a;
     const double smaller = b > a ? a : b;
@@ -56,8 +55,7 @@ SF_COMMON double angles_of_quotient(double x, double y, double *t)
 }
 
 /* The angle of (x, y) from -pi to pi; signed zeros and infinities as in C99's atan2, NaN if either is NaN. */
-static inline double angles_atan2(double y, double x)
-{
+static inline double angles_atan2(double y, double x) {
     double t;
     const double e = angles_of_quotient(x, y, &t);
     const int steep = fabs(y) > fabs(x);
@@ -72,8 +70,7 @@ static inline double angles_atan2(double y, double x)
 }
 
 /* The angle of (y, x): what atan2(x, y) gives. */
-static inline double angles_atan2_swapped(double y, double x)
-{
+static inline double angles_atan2_swapped(double y, double x) {
     double t;
     const double e = angles_of_quotient(x, y, &t);
     const int steep = fabs(y) > fabs(x);

@@ -13,16 +13,14 @@
 
 /* Response function.
    Equation (37). Domain: Omega > 0, Omega != 1. Operations: 3. Error / u (1 + kappa): measured 1.4. */
-SF_KERNEL double den_hartog_V(double Omega)
-{
+SF_KERNEL double den_hartog_V(double Omega) {
     return -1.0 / ((Omega - 1.0) * (Omega + 1.0));
 }
 
 /* Damping function.
    Equation (37). Domain: Omega > 0, Omega not 1, 1/3, 1/5 and so on. Operations: 6. Error / u (1 + kappa): measured
    1.4. */
-SF_KERNEL double den_hartog_U(double Omega)
-{
+SF_KERNEL double den_hartog_U(double Omega) {
     const double t0 = 1.0 / Omega;
     return t0 / tan(1.5707963267948966 * t0 * (Omega - 1.0));
 }
@@ -30,8 +28,7 @@ SF_KERNEL double den_hartog_U(double Omega)
 /* S is the maximum of this over 0 < tau < pi/Omega.
    Equation (37). Domain: 0 < tau < pi/Omega, Omega > 0, Omega not 1, 1/3, 1/5 and so on. Operations: 23. Error / u
    (1 + kappa): measured 3.9. */
-SF_KERNEL double den_hartog_S_ratio(double tau, double Omega)
-{
+SF_KERNEL double den_hartog_S_ratio(double tau, double Omega) {
     const double t0 = 1.0 / Omega;
     const double t1 = Omega - 1.0;
     const double U = t0 / tan(1.5707963267948966 * t0 * t1);
@@ -43,8 +40,7 @@ SF_KERNEL double den_hartog_S_ratio(double tau, double Omega)
 /* Amplitude of the motion.
    Equation (35). Domain: F_0 |V| > mu |U|, Omega > 0, Omega not 1, 1/3, 1/5 and so on. Operations: 14. Error / u (1
    + kappa): measured 1.5. */
-SF_KERNEL double den_hartog_amplitude(double Omega, double F_0, double mu)
-{
+SF_KERNEL double den_hartog_amplitude(double Omega, double F_0, double mu) {
     const double t0 = Omega - 1.0;
     const double V = -1.0 / (t0 * (Omega + 1.0));
     const double t1 = 1.0 / Omega;
@@ -57,8 +53,7 @@ SF_KERNEL double den_hartog_amplitude(double Omega, double F_0, double mu)
 /* The motion has no stops while its amplitude exceeds this.
    Equation (36). Domain: Omega > 0, Omega not 1, 1/3, 1/5 and so on. Operations: 20. Error / u (1 + kappa):
    measured 1.9. */
-SF_KERNEL double den_hartog_bound(double Omega, double F_0, double S)
-{
+SF_KERNEL double den_hartog_bound(double Omega, double F_0, double S) {
     const double t0 = Omega - 1.0;
     const double V = -1.0 / (t0 * (Omega + 1.0));
     const double t1 = 1.0 / Omega;
@@ -71,8 +66,7 @@ SF_KERNEL double den_hartog_bound(double Omega, double F_0, double S)
 /* Displacement tau after a maximum.
    Equation from (37). Domain: 0 <= tau <= pi/Omega, Omega > 0, Omega not 1, 1/3, 1/5 and so on. Operations: 27.
    Error / u (1 + kappa): measured 1.7. */
-SF_KERNEL double den_hartog_motion(double tau, double Omega, double A, double mu)
-{
+SF_KERNEL double den_hartog_motion(double tau, double Omega, double A, double mu) {
     const double t0 = 1.0 / Omega;
     const double t1 = Omega - 1.0;
     const double U = t0 / tan(1.5707963267948966 * t0 * t1);

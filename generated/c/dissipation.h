@@ -19,29 +19,25 @@
 
 /* The factor of A^2 Omega^2 in I of quadratic damping.
    Equation from (19). Domain: any. Operations: 1. Error / u (1 + kappa): measured 0.69. */
-SF_KERNEL double dissipation_quadratic(double c_2)
-{
+SF_KERNEL double dissipation_quadratic(double c_2) {
     return 0.84882636315677518 * c_2;
 }
 
 /* The factor of A^3 Omega^3 in I of cubic damping.
    Equation from (19). Domain: any. Operations: 1. Error / u (1 + kappa): proved 0.51. */
-SF_KERNEL double dissipation_cubic(double c_3)
-{
+SF_KERNEL double dissipation_cubic(double c_3) {
     return 0.75 * c_3;
 }
 
 /* The largest |h| of a state with this amplitude, as quadratic damping bounds its frequency.
    Equation from (23). Domain: A > 0, d > 0. Operations: 3. Error / u (1 + kappa): proved 2.01. */
-SF_KERNEL double dissipation_restoring(double A, double F_0, double d)
-{
+SF_KERNEL double dissipation_restoring(double A, double F_0, double d) {
     return F_0 + F_0 / (A * d);
 }
 
 /* What m, then eta, does to I_0, I_0A and I_0AA: friction acts throughout.
    Equation from (19). Domain: A > 0. Operations: 0. Error / u (1 + kappa): proved 0.0, 0.0, 0.0, 0.0, 0.0, 0.0. */
-SF_KERNEL void dissipation_rest_moves(double A, double *out)
-{
+SF_KERNEL void dissipation_rest_moves(double A, double *out) {
     for (int k = 0; k < 6; k++)
         out[k] = 0.0;
     out[0] = 1.0;
@@ -51,8 +47,7 @@ SF_KERNEL void dissipation_rest_moves(double A, double *out)
 
 /* What m, then eta, then u_cr does to them where friction acts for |u| < u_cr only.
    Equation from (19). Domain: A >= u_cr > 0. Operations: 11. Error / u (1 + kappa): proved 0.81 at most. */
-SF_KERNEL void dissipation_released_moves(double A, double m, double u_cr, double *out)
-{
+SF_KERNEL void dissipation_released_moves(double A, double m, double u_cr, double *out) {
     const double t0 = 1.0 / A;
     const double A2 = A * A;
     const double t1 = 1.0 / A2;
@@ -71,8 +66,7 @@ SF_KERNEL void dissipation_released_moves(double A, double m, double u_cr, doubl
 
 /* What zeta_2 does to the first three of `viscous`.
    Equation from (19). Domain: A > 0. Operations: 3. Error / u (1 + kappa): proved 0.34, 0.0, 0.0. */
-SF_KERNEL void dissipation_viscous_moves(double A, double *out)
-{
+SF_KERNEL void dissipation_viscous_moves(double A, double *out) {
     out[0] = 0.25 * A * A;
     out[1] = 0.5 * A;
     out[2] = 0.5;
@@ -80,8 +74,7 @@ SF_KERNEL void dissipation_viscous_moves(double A, double *out)
 
 /* Zero at a steady state.
    Equation (24). Domain: Omega > 0, A > 0. Operations: 21. Error / u (1 + kappa): measured 0.51. */
-SF_KERNEL double dissipation_F(double Omega, double A, double F_0, double I_0, double zeta, double d, double d_3, double h)
-{
+SF_KERNEL double dissipation_F(double Omega, double A, double F_0, double I_0, double zeta, double d, double d_3, double h) {
     const double Omega2 = Omega * Omega;
     const double R = A * Omega2 + h;
     const double A2 = A * A;
@@ -93,8 +86,7 @@ SF_KERNEL double dissipation_F(double Omega, double A, double F_0, double I_0, d
 
 /* dF/dA; positive where stable.
    Equation (24), (30). Domain: Omega > 0, A > 0. Operations: 31. Error / u (1 + kappa): measured 0.64. */
-SF_KERNEL double dissipation_F_A(double Omega, double A, double I_0, double I_0A, double zeta, double zeta_A, double d, double d_3, double h, double h_A)
-{
+SF_KERNEL double dissipation_F_A(double Omega, double A, double I_0, double I_0A, double zeta, double zeta_A, double d, double d_3, double h, double h_A) {
     const double Omega2 = Omega * Omega;
     const double t0 = A * Omega2;
     const double R = h + t0;
@@ -110,8 +102,7 @@ SF_KERNEL double dissipation_F_A(double Omega, double A, double I_0, double I_0A
 
 /* d2F/dA2.
    Equation (24). Domain: Omega > 0, A > 0. Operations: 48. Error / u (1 + kappa): measured 0.89. */
-SF_KERNEL double dissipation_F_AA(double Omega, double A, double I_0, double I_0A, double I_0AA, double zeta, double zeta_A, double zeta_AA, double d, double d_3, double h, double h_A, double h_AA)
-{
+SF_KERNEL double dissipation_F_AA(double Omega, double A, double I_0, double I_0A, double I_0AA, double zeta, double zeta_A, double zeta_AA, double d, double d_3, double h, double h_A, double h_AA) {
     const double Omega2 = Omega * Omega;
     const double t0 = A * Omega2;
     const double R = h + t0;
@@ -132,8 +123,7 @@ SF_KERNEL double dissipation_F_AA(double Omega, double A, double I_0, double I_0
 
 /* d2F/dOmega2.
    Equation (24). Domain: Omega > 0, A > 0. Operations: 35. Error / u (1 + kappa): measured 0.84. */
-SF_KERNEL double dissipation_F_OmegaOmega(double Omega, double A, double I_0, double zeta, double d, double d_3, double h)
-{
+SF_KERNEL double dissipation_F_OmegaOmega(double Omega, double A, double I_0, double zeta, double d, double d_3, double h) {
     const double Omega2 = Omega * Omega;
     const double t0 = A * Omega2;
     const double R = h + t0;
@@ -152,8 +142,7 @@ SF_KERNEL double dissipation_F_OmegaOmega(double Omega, double A, double I_0, do
 
 /* d3F/dA dOmega2.
    Equation (24). Domain: Omega > 0, A > 0. Operations: 59. Error / u (1 + kappa): measured 0.76. */
-SF_KERNEL double dissipation_F_AOmegaOmega(double Omega, double A, double I_0, double I_0A, double zeta, double zeta_A, double d, double d_3, double h, double h_A)
-{
+SF_KERNEL double dissipation_F_AOmegaOmega(double Omega, double A, double I_0, double I_0A, double zeta, double zeta_A, double d, double d_3, double h, double h_A) {
     const double Omega2 = Omega * Omega;
     const double t0 = A * Omega2;
     const double R = h + t0;
@@ -176,8 +165,7 @@ SF_KERNEL double dissipation_F_AOmegaOmega(double Omega, double A, double I_0, d
 
 /* dOmega/dA along the response.
    Equation from (24). Domain: Omega > 0, A > 0. Operations: 46. Error / u (1 + kappa): measured 0.78. */
-SF_KERNEL double dissipation_Omega_A(double Omega, double A, double I_0, double I_0A, double zeta, double zeta_A, double d, double d_3, double h, double h_A)
-{
+SF_KERNEL double dissipation_Omega_A(double Omega, double A, double I_0, double I_0A, double zeta, double zeta_A, double d, double d_3, double h, double h_A) {
     const double Omega2 = Omega * Omega;
     const double t0 = A * Omega2;
     const double R = h + t0;
@@ -196,8 +184,7 @@ SF_KERNEL double dissipation_Omega_A(double Omega, double A, double I_0, double 
 
 /* The same of an excitation by inertia.
    Equation from (24). Domain: Omega > 0, A > 0. Operations: 42. Error / u (1 + kappa): measured 0.95. */
-SF_KERNEL double dissipation_Omega_A_by_inertia(double Omega, double A, double I_0, double I_0A, double zeta, double zeta_A, double d, double d_3, double h, double h_A)
-{
+SF_KERNEL double dissipation_Omega_A_by_inertia(double Omega, double A, double I_0, double I_0A, double zeta, double zeta_A, double d, double d_3, double h, double h_A) {
     const double Omega2 = Omega * Omega;
     const double t0 = A * Omega2;
     const double R = h + t0;
@@ -216,8 +203,7 @@ SF_KERNEL double dissipation_Omega_A_by_inertia(double Omega, double A, double I
 
 /* Positive at a cusp where the level has a minimum along the fold locus, negative at a maximum.
    Equation from (24), (30). Domain: Omega > 0, A > 0. Operations: 98. Error / u (1 + kappa): measured 0.93. */
-SF_KERNEL double dissipation_cusp_bend(double Omega, double A, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double zeta_A, double zeta_AA, double zeta_AAA, double d, double d_3, double h, double h_A, double h_AA, double h_AAA)
-{
+SF_KERNEL double dissipation_cusp_bend(double Omega, double A, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double zeta_A, double zeta_AA, double zeta_AAA, double d, double d_3, double h, double h_A, double h_AA, double h_AAA) {
     const double Omega2 = Omega * Omega;
     const double t0 = A * Omega2;
     const double R = h + t0;
@@ -255,8 +241,7 @@ SF_KERNEL double dissipation_cusp_bend(double Omega, double A, double I_0, doubl
 
 /* At an isola point: negative at a saddle of F; and as `cusp_bend`.
    Equation from (24), (30). Domain: Omega > 0, A > 0. Operations: 133. Error / u (1 + kappa): measured 0.71. */
-SF_KERNEL void dissipation_isola_bend(double Omega, double A, double I_0, double I_0A, double I_0AA, double zeta, double zeta_A, double zeta_AA, double d, double d_3, double h, double h_A, double h_AA, double *out)
-{
+SF_KERNEL void dissipation_isola_bend(double Omega, double A, double I_0, double I_0A, double I_0AA, double zeta, double zeta_A, double zeta_AA, double d, double d_3, double h, double h_A, double h_AA, double *out) {
     const double Omega2 = Omega * Omega;
     const double t0 = A * Omega2;
     const double R = h + t0;
@@ -301,8 +286,7 @@ SF_KERNEL void dissipation_isola_bend(double Omega, double A, double I_0, double
 /* F + F_0^2 as a polynomial in Omega: coefficients of 1, Omega, ..., Omega^6.
    Equation (24). Domain: A > 0. Operations: 34. Error / u (1 + kappa): proved 0.67, 0.51, 2.51, 2.51, 3.67, 0.76,
    0.78. */
-SF_KERNEL void dissipation_response_polynomial(double A, double I_0, double zeta, double d, double d_3, double h, double *out)
-{
+SF_KERNEL void dissipation_response_polynomial(double A, double I_0, double zeta, double d, double d_3, double h, double *out) {
     const double t0 = 4.0 * zeta;
     const double A2 = A * A;
     const double t1 = 2.0 * I_0;
@@ -322,8 +306,7 @@ SF_KERNEL void dissipation_response_polynomial(double A, double I_0, double zeta
 /* F_A/2 as a polynomial in Omega: coefficients of 1, Omega, ..., Omega^6.
    Equation (30). Domain: A > 0. Operations: 56. Error / u (1 + kappa): proved 1.01, 2.01, 7.15, 6.01, 6.17, 0.86,
    0.88. */
-SF_KERNEL void dissipation_fold_polynomial(double A, double I_0, double I_0A, double zeta, double zeta_A, double d, double d_3, double h, double h_A, double *out)
-{
+SF_KERNEL void dissipation_fold_polynomial(double A, double I_0, double I_0A, double zeta, double zeta_A, double d, double d_3, double h, double h_A, double *out) {
     const double t0 = 2.0 * I_0;
     const double A2 = A * A;
     const double A3 = A * A2;
@@ -343,23 +326,20 @@ SF_KERNEL void dissipation_fold_polynomial(double A, double I_0, double I_0A, do
 /* Largest amplitude that the forcing can hold at this frequency, where friction acts throughout.
    Equation (27). Domain: Omega > 0, F_0 > m, one of zeta, eta, d > 0. Operations: 16. Error / u (1 + kappa):
    measured 0.89. */
-SF_KERNEL double dissipation_limit_envelope(double Omega, double F_0, double m, double zeta, double eta, double d)
-{
+SF_KERNEL double dissipation_limit_envelope(double Omega, double F_0, double m, double zeta, double eta, double d) {
     const double t0 = 2.0 * Omega * zeta + eta;
     return (2.0 * F_0 - 2.0 * m) / (t0 + sqrt(-4.0 * Omega * Omega * d * (-F_0 + m) + t0 * t0));
 }
 
 /* F_A/2 by R, I and their slopes.
    Equation (30). Domain: Omega >= 0, A > 0. Operations: 3. Error / u (1 + kappa): proved 1.01. */
-SF_KERNEL double dissipation_F_A_halved(double R, double R_A, double I_, double I_A)
-{
+SF_KERNEL double dissipation_F_A_halved(double R, double R_A, double I_, double I_A) {
     return I_ * I_A + R * R_A;
 }
 
 /* F/Omega^4 at x = 1/Omega; and -Omega^3/4 dlevel^2/dOmega, less Omega times the third.
    Equation (24). Domain: x >= 0, A > 0. Operations: 34. Error / u (1 + kappa): proved -, -, 0.67; measured 1.2. */
-SF_KERNEL void dissipation_far_by_inertia(double x, double A, double F_0, double I_0, double zeta, double d, double h, double *out)
-{
+SF_KERNEL void dissipation_far_by_inertia(double x, double A, double F_0, double I_0, double zeta, double d, double h, double *out) {
     const double t0 = x * x;
     const double A2 = A * A;
     const double t1 = A2 * d;
@@ -374,8 +354,7 @@ SF_KERNEL void dissipation_far_by_inertia(double x, double A, double F_0, double
 
 /* As `cusp_bend`, for an excitation by inertia.
    Equation from (24), (30). Domain: Omega > 0, A > 0. Operations: 102. Error / u (1 + kappa): measured 0.81. */
-SF_KERNEL double dissipation_cusp_bend_by_inertia(double Omega, double A, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double zeta_A, double zeta_AA, double zeta_AAA, double d, double d_3, double h, double h_A, double h_AA, double h_AAA)
-{
+SF_KERNEL double dissipation_cusp_bend_by_inertia(double Omega, double A, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double zeta_A, double zeta_AA, double zeta_AAA, double d, double d_3, double h, double h_A, double h_AA, double h_AAA) {
     const double Omega2 = Omega * Omega;
     const double t0 = A * Omega2;
     const double R = h + t0;
@@ -411,8 +390,7 @@ SF_KERNEL double dissipation_cusp_bend_by_inertia(double Omega, double A, double
 
 /* As `isola_bend`, for an excitation by inertia.
    Equation from (24), (30). Domain: Omega > 0, A > 0. Operations: 102. Error / u (1 + kappa): measured 1.5. */
-SF_KERNEL void dissipation_isola_bend_by_inertia(double Omega, double A, double I_0, double I_0A, double I_0AA, double zeta, double zeta_A, double zeta_AA, double d, double d_3, double h, double h_A, double h_AA, double *out)
-{
+SF_KERNEL void dissipation_isola_bend_by_inertia(double Omega, double A, double I_0, double I_0A, double I_0AA, double zeta, double zeta_A, double zeta_AA, double d, double d_3, double h, double h_A, double h_AA, double *out) {
     const double Omega2 = Omega * Omega;
     const double t0 = A * Omega2;
     const double R = h + t0;
@@ -448,15 +426,13 @@ SF_KERNEL void dissipation_isola_bend_by_inertia(double Omega, double A, double 
 
 /* The amplitude that the response tends to as Omega grows.
    Equation from (24). Domain: F_0 > 0. Operations: 10. Error / u (1 + kappa): measured 1.4. */
-SF_KERNEL double dissipation_full_by_inertia(double F_0, double d)
-{
+SF_KERNEL double dissipation_full_by_inertia(double F_0, double d) {
     return 1.4142135623730951 * F_0 / sqrt(sqrt(4.0 * F_0 * F_0 * d * d + 1.0) + 1.0);
 }
 
 /* Both positive: no state above A, while |h| grows by steepest dA at most.
    Equation from (23), (24). Domain: A > 0. Operations: 10. Error / u (1 + kappa): proved -, 3.76; measured 0.85. */
-SF_KERNEL void dissipation_structural_bound(double A, double F_0, double eta, double h, double steepest, double *out)
-{
+SF_KERNEL void dissipation_structural_bound(double A, double F_0, double eta, double h, double steepest, double *out) {
     const double t0 = A - F_0;
     const double t1 = A * eta;
     out[0] = -F_0 * fabs(h) + t0 * t1;
@@ -465,8 +441,7 @@ SF_KERNEL void dissipation_structural_bound(double A, double F_0, double eta, do
 
 /* What no amplitude exceeds.
    Equation from (23), (24). Domain: d > 0. Operations: 3. Error / u (1 + kappa): measured 1.2. */
-SF_KERNEL double dissipation_quadratic_bound(double F_0, double d)
-{
+SF_KERNEL double dissipation_quadratic_bound(double F_0, double d) {
     return sqrt(F_0) / sqrt(d);
 }
 

@@ -10,8 +10,7 @@ SF_FAMILY_BEGIN
 
 /* I_0, I at Omega = 0, and three derivatives by A: friction acts throughout.
    Equation from (19). Domain: A > 0. Operations: 2. Error / u (1 + kappa): proved 1.01, 0.0, 0.0, 0.0. */
-KERNEL void OF(at_rest)(REAL A, REAL m, REAL eta, REAL *out)
-{
+KERNEL void OF(at_rest)(REAL A, REAL m, REAL eta, REAL *out) {
     out[0] = ADD(MUL(A, eta), m);
     out[1] = eta;
     out[2] = POINT(0.0);
@@ -20,8 +19,7 @@ KERNEL void OF(at_rest)(REAL A, REAL m, REAL eta, REAL *out)
 
 /* The same where friction acts for |u| < u_cr only.
    Equation from (19). Domain: A >= u_cr > 0. Operations: 13. Error / u (1 + kappa): proved 1.01, 1.01, 0.67, 0.86. */
-KERNEL void OF(released)(REAL A, REAL m, REAL eta, REAL u_cr, REAL *out)
-{
+KERNEL void OF(released)(REAL A, REAL m, REAL eta, REAL u_cr, REAL *out) {
     const REAL t0 = MUL(m, u_cr);
     const REAL A2 = SQUARE(A);
     const REAL A3 = MUL(A, A2);
@@ -34,8 +32,7 @@ KERNEL void OF(released)(REAL A, REAL m, REAL eta, REAL u_cr, REAL *out)
 
 /* The viscous damping ratio of a cycle, and three derivatives by A.
    Equation from (19). Domain: A > 0. Operations: 6. Error / u (1 + kappa): proved 1.01, 0.34, 0.0, 0.0. */
-KERNEL void OF(viscous)(REAL A, REAL zeta, REAL zeta_2, REAL *out)
-{
+KERNEL void OF(viscous)(REAL A, REAL zeta, REAL zeta_2, REAL *out) {
     const REAL t0 = TIMES(0.5, zeta_2);
     out[0] = ADD(MUL(BY_SQUARE(POINT(0.25), A), zeta_2), zeta);
     out[1] = MUL(A, t0);
@@ -45,8 +42,7 @@ KERNEL void OF(viscous)(REAL A, REAL zeta, REAL zeta_2, REAL *out)
 
 /* Sine balance, -F_0 sin phi at a fixed point.
    Equation (23). Domain: Omega > 0, A > 0. Operations: 14. Error / u (1 + kappa): proved 7.01. */
-KERNEL REAL OF(I)(REAL Omega, REAL A, REAL I_0, REAL zeta, REAL d, REAL d_3)
-{
+KERNEL REAL OF(I)(REAL Omega, REAL A, REAL I_0, REAL zeta, REAL d, REAL d_3) {
     const REAL A2 = SQUARE(A);
     const REAL Omega2 = SQUARE(Omega);
     const REAL A3 = MUL(A, A2);
@@ -57,8 +53,7 @@ KERNEL REAL OF(I)(REAL Omega, REAL A, REAL I_0, REAL zeta, REAL d, REAL d_3)
 
 /* dI/dA.
    Equation (23). Domain: Omega > 0, A > 0. Operations: 17. Error / u (1 + kappa): proved 7.26. */
-KERNEL REAL OF(I_A)(REAL Omega, REAL A, REAL I_0A, REAL zeta, REAL zeta_A, REAL d, REAL d_3)
-{
+KERNEL REAL OF(I_A)(REAL Omega, REAL A, REAL I_0A, REAL zeta, REAL zeta_A, REAL d, REAL d_3) {
     const REAL t0 = TIMES(2.0, Omega);
     const REAL Omega2 = SQUARE(Omega);
     const REAL Omega3 = MUL(Omega, Omega2);
@@ -68,8 +63,7 @@ KERNEL REAL OF(I_A)(REAL Omega, REAL A, REAL I_0A, REAL zeta, REAL zeta_A, REAL 
 
 /* R, R_A, I and I_A over Omega^2, at x = 1/Omega.
    Equation (23). Domain: x >= 0, A > 0. Operations: 21. Error / u (1 + kappa): proved 1.01, 1.34, 4.01, 4.51. */
-KERNEL void OF(far)(REAL x, REAL A, REAL I_0, REAL I_0A, REAL zeta, REAL zeta_A, REAL d, REAL h, REAL h_A, REAL *out)
-{
+KERNEL void OF(far)(REAL x, REAL A, REAL I_0, REAL I_0A, REAL zeta, REAL zeta_A, REAL d, REAL h, REAL h_A, REAL *out) {
     const REAL t0 = SQUARE(x);
     const REAL t1 = TIMES(2.0, A);
     const REAL t2 = MUL(x, zeta);
@@ -81,8 +75,7 @@ KERNEL void OF(far)(REAL x, REAL A, REAL I_0, REAL I_0A, REAL zeta, REAL zeta_A,
 
 /* F at Omega = 0 by its halves h - c and h + c, c^2 = F_0^2 - I_0^2; and the slope of each.
    Equation from (24). Domain: F_0 > I_0. Operations: 10. Error / u (1 + kappa): measured 0.71. */
-KERNEL void OF(static)(REAL F_0, REAL I_0, REAL I_0A, REAL h, REAL h_A, REAL *out)
-{
+KERNEL void OF(static)(REAL F_0, REAL I_0, REAL I_0A, REAL h, REAL h_A, REAL *out) {
     const REAL c = SQRT(MUL(SUB(F_0, I_0), ADD(F_0, I_0)));
     const REAL t0 = DIV(MUL(I_0, I_0A), c);
     out[0] = ADD(NEG(c), h);
@@ -93,8 +86,7 @@ KERNEL void OF(static)(REAL F_0, REAL I_0, REAL I_0A, REAL h, REAL h_A, REAL *ou
 
 /* D/Omega^2 at x = 1/Omega, where F_AOmega/(4 Omega) = R + A R_A + D without cubic damping.
    Equation from (30). Domain: x >= 0, A > 0. Operations: 39. Error / u (1 + kappa): measured 0.69. */
-KERNEL REAL OF(turn_share)(REAL x, REAL A, REAL I_0, REAL I_0A, REAL zeta, REAL zeta_A, REAL d)
-{
+KERNEL REAL OF(turn_share)(REAL x, REAL A, REAL I_0, REAL I_0A, REAL zeta, REAL zeta_A, REAL d) {
     const REAL A2 = SQUARE(A);
     const REAL A3 = MUL(A, A2);
     const REAL t0 = MUL(A, I_0);
@@ -109,22 +101,19 @@ KERNEL REAL OF(turn_share)(REAL x, REAL A, REAL I_0, REAL I_0A, REAL zeta, REAL 
 
 /* The size of R where F = 0.
    Equation (24). Domain: Omega >= 0, A > 0. Operations: 4. Error / u (1 + kappa): measured 0.62. */
-KERNEL REAL OF(R_of_response)(REAL F_0, REAL I_)
-{
+KERNEL REAL OF(R_of_response)(REAL F_0, REAL I_) {
     return SQRT(SUB(SQUARE(F_0), SQUARE(I_)));
 }
 
 /* R where F_Omega = 0.
    Equation from (24). Domain: Omega >= 0, A > 0. Operations: 9. Error / u (1 + kappa): proved 4.76. */
-KERNEL REAL OF(R_of_peak)(REAL Omega, REAL A, REAL zeta, REAL d, REAL d_3, REAL I_)
-{
+KERNEL REAL OF(R_of_peak)(REAL Omega, REAL A, REAL zeta, REAL d, REAL d_3, REAL I_) {
     return MUL(I_, SUB(SUB(NEG(MUL(MUL(BY_SQUARE(POINT(1.5), A), Omega), d_3)), MUL(A, d)), DIV(zeta, Omega)));
 }
 
 /* Where a level by inertia is stationary, x = 1/Omega: what is not negative, lower and higher R/Omega^2.
    Equation from (24). Domain: Omega >= 0, A > 0. Operations: 20. Error / u (1 + kappa): measured 0.92. */
-KERNEL void OF(R_where_stationary)(REAL x, REAL A, REAL I_0, REAL zeta, REAL d, REAL *out)
-{
+KERNEL void OF(R_where_stationary)(REAL x, REAL A, REAL I_0, REAL zeta, REAL d, REAL *out) {
     const REAL t0 = SQUARE(A);
     const REAL t1 = MUL(A, zeta);
     const REAL t2 = MUL(MUL(x, ADD(MUL(I_0, x), t1)), ADD(ADD(BY_SQUARE(I_0, x), MUL(d, t0)), MUL(TIMES(2.0, t1),
@@ -139,8 +128,7 @@ KERNEL void OF(R_where_stationary)(REAL x, REAL A, REAL I_0, REAL zeta, REAL d, 
 /* F and F_A/2; derivatives by A and by R of the first, then of the second.
    Equation from (24), (30). Domain: Omega > 0, A > 0. Operations: 73. Error / u (1 + kappa): proved -, 1.01, 9.26,
    8.26, -, -; measured 0.83. */
-KERNEL void OF(folds_by_R)(REAL Omega, REAL A, REAL F_0, REAL I_0, REAL I_0A, REAL I_0AA, REAL I_0AAA, REAL zeta, REAL zeta_A, REAL zeta_AA, REAL zeta_AAA, REAL d, REAL d_3, REAL h, REAL h_A, REAL h_AA, REAL h_AAA, REAL R, REAL I_, REAL R_A, REAL I_A, REAL *out)
-{
+KERNEL void OF(folds_by_R)(REAL Omega, REAL A, REAL F_0, REAL I_0, REAL I_0A, REAL I_0AA, REAL I_0AAA, REAL zeta, REAL zeta_A, REAL zeta_AA, REAL zeta_AAA, REAL d, REAL d_3, REAL h, REAL h_A, REAL h_AA, REAL h_AAA, REAL R, REAL I_, REAL R_A, REAL I_A, REAL *out) {
     const REAL t0 = INVERSE(Omega);
     const REAL t1 = TIMES(2.0, zeta);
     const REAL t2 = TIMES(2.0, A);
@@ -169,8 +157,7 @@ KERNEL void OF(folds_by_R)(REAL Omega, REAL A, REAL F_0, REAL I_0, REAL I_0A, RE
 /* F and what vanishes where the level is stationary; derivatives by A and by R of the first, then of the second.
    Equation from (24). Domain: Omega > 0, A > 0. Operations: 61. Error / u (1 + kappa): proved -, 6.01, 9.26, 8.26,
    -, -; measured 0.92. */
-KERNEL void OF(peaks_by_R)(REAL Omega, REAL A, REAL F_0, REAL I_0, REAL I_0A, REAL I_0AA, REAL I_0AAA, REAL zeta, REAL zeta_A, REAL zeta_AA, REAL zeta_AAA, REAL d, REAL d_3, REAL h, REAL h_A, REAL h_AA, REAL h_AAA, REAL R, REAL I_, REAL R_A, REAL I_A, REAL *out)
-{
+KERNEL void OF(peaks_by_R)(REAL Omega, REAL A, REAL F_0, REAL I_0, REAL I_0A, REAL I_0AA, REAL I_0AAA, REAL zeta, REAL zeta_A, REAL zeta_AA, REAL zeta_AAA, REAL d, REAL d_3, REAL h, REAL h_A, REAL h_AA, REAL h_AAA, REAL R, REAL I_, REAL R_A, REAL I_A, REAL *out) {
     const REAL t0 = MUL(A, d);
     const REAL t1 = INVERSE(Omega);
     const REAL t2 = MUL(t1, zeta);
@@ -196,8 +183,7 @@ KERNEL void OF(peaks_by_R)(REAL Omega, REAL A, REAL F_0, REAL I_0, REAL I_0A, RE
 /* F_A/2 and F_AA/2; derivatives by A and by R of the first, then of the second.
    Equation from (30), (33). Domain: Omega > 0, A > 0. Operations: 125. Error / u (1 + kappa): proved 1.01, 10.26,
    -, -, -, -; measured 0.71. */
-KERNEL void OF(cusps_by_R)(REAL Omega, REAL A, REAL F_0, REAL I_0, REAL I_0A, REAL I_0AA, REAL I_0AAA, REAL zeta, REAL zeta_A, REAL zeta_AA, REAL zeta_AAA, REAL d, REAL d_3, REAL h, REAL h_A, REAL h_AA, REAL h_AAA, REAL R, REAL I_, REAL R_A, REAL I_A, REAL *out)
-{
+KERNEL void OF(cusps_by_R)(REAL Omega, REAL A, REAL F_0, REAL I_0, REAL I_0A, REAL I_0AA, REAL I_0AAA, REAL zeta, REAL zeta_A, REAL zeta_AA, REAL zeta_AAA, REAL d, REAL d_3, REAL h, REAL h_A, REAL h_AA, REAL h_AAA, REAL R, REAL I_, REAL R_A, REAL I_A, REAL *out) {
     const REAL t0 = MUL(Omega, zeta_A);
     const REAL t1 = TIMES(4.0, t0);
     const REAL t2 = MUL(A, zeta_AA);
@@ -244,8 +230,7 @@ KERNEL void OF(cusps_by_R)(REAL Omega, REAL A, REAL F_0, REAL I_0, REAL I_0A, RE
 /* F_A/2 and what vanishes where the level is stationary; derivatives by A and by R of the first, then of the second.
    Equation from (30). Domain: Omega > 0, A > 0. Operations: 95. Error / u (1 + kappa): proved 1.01, 6.01, -, -, -,
    -; measured 0.67. */
-KERNEL void OF(isolas_by_R)(REAL Omega, REAL A, REAL F_0, REAL I_0, REAL I_0A, REAL I_0AA, REAL I_0AAA, REAL zeta, REAL zeta_A, REAL zeta_AA, REAL zeta_AAA, REAL d, REAL d_3, REAL h, REAL h_A, REAL h_AA, REAL h_AAA, REAL R, REAL I_, REAL R_A, REAL I_A, REAL *out)
-{
+KERNEL void OF(isolas_by_R)(REAL Omega, REAL A, REAL F_0, REAL I_0, REAL I_0A, REAL I_0AA, REAL I_0AAA, REAL zeta, REAL zeta_A, REAL zeta_AA, REAL zeta_AAA, REAL d, REAL d_3, REAL h, REAL h_A, REAL h_AA, REAL h_AAA, REAL R, REAL I_, REAL R_A, REAL I_A, REAL *out) {
     const REAL t0 = MUL(A, d);
     const REAL t1 = INVERSE(Omega);
     const REAL t2 = MUL(t1, zeta);
@@ -282,8 +267,7 @@ KERNEL void OF(isolas_by_R)(REAL Omega, REAL A, REAL F_0, REAL I_0, REAL I_0A, R
 /* F_A/2 and F_AOmega/(4 Omega); derivatives by A and by R of the first, then of the second.
    Equation from (30). Domain: Omega > 0, A > 0. Operations: 241. Error / u (1 + kappa): proved 1.01, -, -, -, -, -;
    measured 1.3. */
-KERNEL void OF(turns_by_R)(REAL Omega, REAL A, REAL F_0, REAL I_0, REAL I_0A, REAL I_0AA, REAL I_0AAA, REAL zeta, REAL zeta_A, REAL zeta_AA, REAL zeta_AAA, REAL d, REAL d_3, REAL h, REAL h_A, REAL h_AA, REAL h_AAA, REAL R, REAL I_, REAL R_A, REAL I_A, REAL *out)
-{
+KERNEL void OF(turns_by_R)(REAL Omega, REAL A, REAL F_0, REAL I_0, REAL I_0A, REAL I_0AA, REAL I_0AAA, REAL zeta, REAL zeta_A, REAL zeta_AA, REAL zeta_AAA, REAL d, REAL d_3, REAL h, REAL h_A, REAL h_AA, REAL h_AAA, REAL R, REAL I_, REAL R_A, REAL I_A, REAL *out) {
     const REAL t0 = MUL(R, R_A);
     const REAL t1 = MUL(A, R_A);
     const REAL t2 = MUL(TIMES(2.0, I_), d);
@@ -367,8 +351,7 @@ KERNEL void OF(turns_by_R)(REAL Omega, REAL A, REAL F_0, REAL I_0, REAL I_0A, RE
 /* F and F_A/2; derivatives by A and by Omega of the first, then of the second.
    Equation from (24), (30). Domain: Omega > 0, A > 0. Operations: 59. Error / u (1 + kappa): proved -, 1.01, 1.01,
    7.26, 10.26, -; measured 0.5. */
-KERNEL void OF(folds_by_Omega)(REAL Omega, REAL A, REAL F_0, REAL I_0, REAL I_0A, REAL I_0AA, REAL I_0AAA, REAL zeta, REAL zeta_A, REAL zeta_AA, REAL zeta_AAA, REAL d, REAL d_3, REAL h, REAL h_A, REAL h_AA, REAL h_AAA, REAL R, REAL I_, REAL R_A, REAL I_A, REAL *out)
-{
+KERNEL void OF(folds_by_Omega)(REAL Omega, REAL A, REAL F_0, REAL I_0, REAL I_0A, REAL I_0AA, REAL I_0AAA, REAL zeta, REAL zeta_A, REAL zeta_AA, REAL zeta_AAA, REAL d, REAL d_3, REAL h, REAL h_A, REAL h_AA, REAL h_AAA, REAL R, REAL I_, REAL R_A, REAL I_A, REAL *out) {
     const REAL t0 = ADD(MUL(I_, I_A), MUL(R, R_A));
     const REAL t1 = TIMES(2.0, Omega);
     const REAL t2 = MUL(R, t1);
@@ -393,8 +376,7 @@ KERNEL void OF(folds_by_Omega)(REAL Omega, REAL A, REAL F_0, REAL I_0, REAL I_0A
 /* F and what vanishes where the level is stationary; derivatives by A and by Omega of the first, then of the second.
    Equation from (24). Domain: Omega > 0, A > 0. Operations: 101. Error / u (1 + kappa): proved -, -, 1.01, 7.26, -,
    -; measured 0.68. */
-KERNEL void OF(peaks_by_Omega)(REAL Omega, REAL A, REAL F_0, REAL I_0, REAL I_0A, REAL I_0AA, REAL I_0AAA, REAL zeta, REAL zeta_A, REAL zeta_AA, REAL zeta_AAA, REAL d, REAL d_3, REAL h, REAL h_A, REAL h_AA, REAL h_AAA, REAL R, REAL I_, REAL R_A, REAL I_A, REAL *out)
-{
+KERNEL void OF(peaks_by_Omega)(REAL Omega, REAL A, REAL F_0, REAL I_0, REAL I_0A, REAL I_0AA, REAL I_0AAA, REAL zeta, REAL zeta_A, REAL zeta_AA, REAL zeta_AAA, REAL d, REAL d_3, REAL h, REAL h_A, REAL h_AA, REAL h_AAA, REAL R, REAL I_, REAL R_A, REAL I_A, REAL *out) {
     const REAL t0 = INVERSE(Omega);
     const REAL t1 = MUL(I_0, t0);
     const REAL t2 = TIMES(3.0, zeta);
@@ -432,8 +414,7 @@ KERNEL void OF(peaks_by_Omega)(REAL Omega, REAL A, REAL F_0, REAL I_0, REAL I_0A
 /* F_A/2 and F_AA/2; derivatives by A and by Omega of the first, then of the second.
    Equation from (30), (33). Domain: Omega > 0, A > 0. Operations: 99. Error / u (1 + kappa): proved 1.01, 8.26,
    8.26, -, -, -; measured 1.2. */
-KERNEL void OF(cusps_by_Omega)(REAL Omega, REAL A, REAL F_0, REAL I_0, REAL I_0A, REAL I_0AA, REAL I_0AAA, REAL zeta, REAL zeta_A, REAL zeta_AA, REAL zeta_AAA, REAL d, REAL d_3, REAL h, REAL h_A, REAL h_AA, REAL h_AAA, REAL R, REAL I_, REAL R_A, REAL I_A, REAL *out)
-{
+KERNEL void OF(cusps_by_Omega)(REAL Omega, REAL A, REAL F_0, REAL I_0, REAL I_0A, REAL I_0AA, REAL I_0AAA, REAL zeta, REAL zeta_A, REAL zeta_AA, REAL zeta_AAA, REAL d, REAL d_3, REAL h, REAL h_A, REAL h_AA, REAL h_AAA, REAL R, REAL I_, REAL R_A, REAL I_A, REAL *out) {
     const REAL Omega2 = SQUARE(Omega);
     const REAL t0 = TIMES(2.0, d);
     const REAL t1 = MUL(Omega2, t0);
@@ -468,8 +449,7 @@ KERNEL void OF(cusps_by_Omega)(REAL Omega, REAL A, REAL F_0, REAL I_0, REAL I_0A
 /* F_A/2 and what vanishes where the level is stationary; derivatives by A and by Omega of the first, then of the second.
    Equation from (30). Domain: Omega > 0, A > 0. Operations: 125. Error / u (1 + kappa): proved 1.01, -, 10.26, -,
    -, -; measured 0.49. */
-KERNEL void OF(isolas_by_Omega)(REAL Omega, REAL A, REAL F_0, REAL I_0, REAL I_0A, REAL I_0AA, REAL I_0AAA, REAL zeta, REAL zeta_A, REAL zeta_AA, REAL zeta_AAA, REAL d, REAL d_3, REAL h, REAL h_A, REAL h_AA, REAL h_AAA, REAL R, REAL I_, REAL R_A, REAL I_A, REAL *out)
-{
+KERNEL void OF(isolas_by_Omega)(REAL Omega, REAL A, REAL F_0, REAL I_0, REAL I_0A, REAL I_0AA, REAL I_0AAA, REAL zeta, REAL zeta_A, REAL zeta_AA, REAL zeta_AAA, REAL d, REAL d_3, REAL h, REAL h_A, REAL h_AA, REAL h_AAA, REAL R, REAL I_, REAL R_A, REAL I_A, REAL *out) {
     const REAL t0 = INVERSE(Omega);
     const REAL t1 = MUL(I_0, t0);
     const REAL t2 = TIMES(3.0, zeta);
@@ -512,8 +492,7 @@ KERNEL void OF(isolas_by_Omega)(REAL Omega, REAL A, REAL F_0, REAL I_0, REAL I_0
 /* F_A/2 and F_AOmega/(4 Omega); derivatives by A and by Omega of the first, then of the second.
    Equation from (30). Domain: Omega > 0, A > 0. Operations: 203. Error / u (1 + kappa): proved 1.01, -, 10.26, -,
    -, -; measured 1.3. */
-KERNEL void OF(turns_by_Omega)(REAL Omega, REAL A, REAL F_0, REAL I_0, REAL I_0A, REAL I_0AA, REAL I_0AAA, REAL zeta, REAL zeta_A, REAL zeta_AA, REAL zeta_AAA, REAL d, REAL d_3, REAL h, REAL h_A, REAL h_AA, REAL h_AAA, REAL R, REAL I_, REAL R_A, REAL I_A, REAL *out)
-{
+KERNEL void OF(turns_by_Omega)(REAL Omega, REAL A, REAL F_0, REAL I_0, REAL I_0A, REAL I_0AA, REAL I_0AAA, REAL zeta, REAL zeta_A, REAL zeta_AA, REAL zeta_AAA, REAL d, REAL d_3, REAL h, REAL h_A, REAL h_AA, REAL h_AAA, REAL R, REAL I_, REAL R_A, REAL I_A, REAL *out) {
     const REAL t0 = MUL(A, R_A);
     const REAL t1 = TIMES(2.0, I_);
     const REAL t2 = MUL(d, t1);
@@ -583,8 +562,7 @@ KERNEL void OF(turns_by_Omega)(REAL Omega, REAL A, REAL F_0, REAL I_0, REAL I_0A
 /* F and F_A/2 of an excitation by inertia, over powers of Omega, x = 1/Omega; derivatives by A and by R of the first, then of the second.
    Equation from (24), (30). Domain: Omega > 0, A > 0. Operations: 54. Error / u (1 + kappa): proved -, 1.01, 4.01,
    3.51, 24.51, 12.34; measured 0.7. */
-KERNEL void OF(folds_far_by_R)(REAL x, REAL A, REAL F_0, REAL I_0, REAL I_0A, REAL I_0AA, REAL I_0AAA, REAL zeta, REAL zeta_A, REAL zeta_AA, REAL zeta_AAA, REAL d, REAL d_3, REAL h, REAL h_A, REAL h_AA, REAL h_AAA, REAL R, REAL I_, REAL R_A, REAL I_A, REAL *out)
-{
+KERNEL void OF(folds_far_by_R)(REAL x, REAL A, REAL F_0, REAL I_0, REAL I_0A, REAL I_0AA, REAL I_0AAA, REAL zeta, REAL zeta_A, REAL zeta_AA, REAL zeta_AAA, REAL d, REAL d_3, REAL h, REAL h_A, REAL h_AA, REAL h_AAA, REAL R, REAL I_, REAL R_A, REAL I_A, REAL *out) {
     const REAL t0 = INVERSE(h);
     const REAL t1 = DIV(t0, x);
     const REAL t2 = MUL(t1, ADD(MUL(A, zeta), MUL(I_0, x)));
@@ -604,8 +582,7 @@ KERNEL void OF(folds_far_by_R)(REAL x, REAL A, REAL F_0, REAL I_0, REAL I_0A, RE
 /* F and what vanishes where the level is stationary of an excitation by inertia, over powers of Omega, x = 1/Omega; derivatives by A and by R of the first, then of the second.
    Equation from (24). Domain: Omega > 0, A > 0. Operations: 56. Error / u (1 + kappa): proved -, 3.26, 4.51, 4.01,
    -, -; measured 0.97. */
-KERNEL void OF(peaks_far_by_R)(REAL x, REAL A, REAL F_0, REAL I_0, REAL I_0A, REAL I_0AA, REAL I_0AAA, REAL zeta, REAL zeta_A, REAL zeta_AA, REAL zeta_AAA, REAL d, REAL d_3, REAL h, REAL h_A, REAL h_AA, REAL h_AAA, REAL R, REAL I_, REAL R_A, REAL I_A, REAL *out)
-{
+KERNEL void OF(peaks_far_by_R)(REAL x, REAL A, REAL F_0, REAL I_0, REAL I_0A, REAL I_0AA, REAL I_0AAA, REAL zeta, REAL zeta_A, REAL zeta_AA, REAL zeta_AAA, REAL d, REAL d_3, REAL h, REAL h_A, REAL h_AA, REAL h_AAA, REAL R, REAL I_, REAL R_A, REAL I_A, REAL *out) {
     const REAL t0 = INVERSE(h);
     const REAL t1 = INVERSE(x);
     const REAL t2 = MUL(A, zeta);
@@ -632,8 +609,7 @@ KERNEL void OF(peaks_far_by_R)(REAL x, REAL A, REAL F_0, REAL I_0, REAL I_0A, RE
 /* F_A/2 and F_AA/2 of an excitation by inertia, over powers of Omega, x = 1/Omega; derivatives by A and by R of the first, then of the second.
    Equation from (30), (33). Domain: Omega > 0, A > 0. Operations: 99. Error / u (1 + kappa): proved 1.01, 8.01,
    21.51, 12.34, -, -; measured 0.63. */
-KERNEL void OF(cusps_far_by_R)(REAL x, REAL A, REAL F_0, REAL I_0, REAL I_0A, REAL I_0AA, REAL I_0AAA, REAL zeta, REAL zeta_A, REAL zeta_AA, REAL zeta_AAA, REAL d, REAL d_3, REAL h, REAL h_A, REAL h_AA, REAL h_AAA, REAL R, REAL I_, REAL R_A, REAL I_A, REAL *out)
-{
+KERNEL void OF(cusps_far_by_R)(REAL x, REAL A, REAL F_0, REAL I_0, REAL I_0A, REAL I_0AA, REAL I_0AAA, REAL zeta, REAL zeta_A, REAL zeta_AA, REAL zeta_AAA, REAL d, REAL d_3, REAL h, REAL h_A, REAL h_AA, REAL h_AAA, REAL R, REAL I_, REAL R_A, REAL I_A, REAL *out) {
     const REAL t0 = TIMES(2.0, d);
     const REAL t1 = MUL(TIMES(4.0, x), zeta_A);
     const REAL t2 = SQUARE(x);
@@ -672,8 +648,7 @@ KERNEL void OF(cusps_far_by_R)(REAL x, REAL A, REAL F_0, REAL I_0, REAL I_0A, RE
 /* F_A/2 and what vanishes where the level is stationary of an excitation by inertia, over powers of Omega, x = 1/Omega; derivatives by A and by R of the first, then of the second.
    Equation from (30). Domain: Omega > 0, A > 0. Operations: 80. Error / u (1 + kappa): proved 1.01, 3.26, 25.84,
    13.67, -, -; measured 0.46. */
-KERNEL void OF(isolas_far_by_R)(REAL x, REAL A, REAL F_0, REAL I_0, REAL I_0A, REAL I_0AA, REAL I_0AAA, REAL zeta, REAL zeta_A, REAL zeta_AA, REAL zeta_AAA, REAL d, REAL d_3, REAL h, REAL h_A, REAL h_AA, REAL h_AAA, REAL R, REAL I_, REAL R_A, REAL I_A, REAL *out)
-{
+KERNEL void OF(isolas_far_by_R)(REAL x, REAL A, REAL F_0, REAL I_0, REAL I_0A, REAL I_0AA, REAL I_0AAA, REAL zeta, REAL zeta_A, REAL zeta_AA, REAL zeta_AAA, REAL d, REAL d_3, REAL h, REAL h_A, REAL h_AA, REAL h_AAA, REAL R, REAL I_, REAL R_A, REAL I_A, REAL *out) {
     const REAL t0 = INVERSE(h);
     const REAL t1 = INVERSE(x);
     const REAL t2 = MUL(A, zeta);
@@ -704,8 +679,7 @@ KERNEL void OF(isolas_far_by_R)(REAL x, REAL A, REAL F_0, REAL I_0, REAL I_0A, R
 /* F and F_A/2 of an excitation by inertia, over powers of Omega, x = 1/Omega; derivatives by A and by x of the first, then of the second.
    Equation from (24), (30). Domain: Omega > 0, A > 0. Operations: 49. Error / u (1 + kappa): proved -, 1.01, 1.01,
    2.01, 8.01, 8.34; measured 0.5. */
-KERNEL void OF(folds_far_by_x)(REAL x, REAL A, REAL F_0, REAL I_0, REAL I_0A, REAL I_0AA, REAL I_0AAA, REAL zeta, REAL zeta_A, REAL zeta_AA, REAL zeta_AAA, REAL d, REAL d_3, REAL h, REAL h_A, REAL h_AA, REAL h_AAA, REAL R, REAL I_, REAL R_A, REAL I_A, REAL *out)
-{
+KERNEL void OF(folds_far_by_x)(REAL x, REAL A, REAL F_0, REAL I_0, REAL I_0A, REAL I_0AA, REAL I_0AAA, REAL zeta, REAL zeta_A, REAL zeta_AA, REAL zeta_AAA, REAL d, REAL d_3, REAL h, REAL h_A, REAL h_AA, REAL h_AAA, REAL R, REAL I_, REAL R_A, REAL I_A, REAL *out) {
     const REAL t0 = ADD(MUL(I_, I_A), MUL(R, R_A));
     const REAL t1 = MUL(R, x);
     const REAL t2 = ADD(MUL(A, zeta), MUL(I_0, x));
@@ -723,8 +697,7 @@ KERNEL void OF(folds_far_by_x)(REAL x, REAL A, REAL F_0, REAL I_0, REAL I_0A, RE
 /* F and what vanishes where the level is stationary of an excitation by inertia, over powers of Omega, x = 1/Omega; derivatives by A and by x of the first, then of the second.
    Equation from (24). Domain: Omega > 0, A > 0. Operations: 59. Error / u (1 + kappa): proved -, 7.01, 1.01, 2.01,
    -, 8.51; measured 0.55. */
-KERNEL void OF(peaks_far_by_x)(REAL x, REAL A, REAL F_0, REAL I_0, REAL I_0A, REAL I_0AA, REAL I_0AAA, REAL zeta, REAL zeta_A, REAL zeta_AA, REAL zeta_AAA, REAL d, REAL d_3, REAL h, REAL h_A, REAL h_AA, REAL h_AAA, REAL R, REAL I_, REAL R_A, REAL I_A, REAL *out)
-{
+KERNEL void OF(peaks_far_by_x)(REAL x, REAL A, REAL F_0, REAL I_0, REAL I_0A, REAL I_0AA, REAL I_0AAA, REAL zeta, REAL zeta_A, REAL zeta_AA, REAL zeta_AAA, REAL d, REAL d_3, REAL h, REAL h_A, REAL h_AA, REAL h_AAA, REAL R, REAL I_, REAL R_A, REAL I_A, REAL *out) {
     const REAL t0 = MUL(R, h);
     const REAL t1 = MUL(A, zeta);
     const REAL t2 = TIMES(2.0, t1);
@@ -747,8 +720,7 @@ KERNEL void OF(peaks_far_by_x)(REAL x, REAL A, REAL F_0, REAL I_0, REAL I_0A, RE
 /* F_A/2 and F_AA/2 of an excitation by inertia, over powers of Omega, x = 1/Omega; derivatives by A and by x of the first, then of the second.
    Equation from (30), (33). Domain: Omega > 0, A > 0. Operations: 87. Error / u (1 + kappa): proved 1.01, 6.01,
    6.01, 8.34, 13.41, -; measured 0.58. */
-KERNEL void OF(cusps_far_by_x)(REAL x, REAL A, REAL F_0, REAL I_0, REAL I_0A, REAL I_0AA, REAL I_0AAA, REAL zeta, REAL zeta_A, REAL zeta_AA, REAL zeta_AAA, REAL d, REAL d_3, REAL h, REAL h_A, REAL h_AA, REAL h_AAA, REAL R, REAL I_, REAL R_A, REAL I_A, REAL *out)
-{
+KERNEL void OF(cusps_far_by_x)(REAL x, REAL A, REAL F_0, REAL I_0, REAL I_0A, REAL I_0AA, REAL I_0AAA, REAL zeta, REAL zeta_A, REAL zeta_AA, REAL zeta_AAA, REAL d, REAL d_3, REAL h, REAL h_A, REAL h_AA, REAL h_AAA, REAL R, REAL I_, REAL R_A, REAL I_A, REAL *out) {
     const REAL t0 = TIMES(2.0, d);
     const REAL x2 = SQUARE(x);
     const REAL t1 = MUL(I_0AA, x2);
@@ -778,8 +750,7 @@ KERNEL void OF(cusps_far_by_x)(REAL x, REAL A, REAL F_0, REAL I_0, REAL I_0A, RE
 /* F_A/2 and what vanishes where the level is stationary of an excitation by inertia, over powers of Omega, x = 1/Omega; derivatives by A and by x of the first, then of the second.
    Equation from (30). Domain: Omega > 0, A > 0. Operations: 77. Error / u (1 + kappa): proved 1.01, 7.01, 8.01,
    8.34, -, 8.51; measured 0.71. */
-KERNEL void OF(isolas_far_by_x)(REAL x, REAL A, REAL F_0, REAL I_0, REAL I_0A, REAL I_0AA, REAL I_0AAA, REAL zeta, REAL zeta_A, REAL zeta_AA, REAL zeta_AAA, REAL d, REAL d_3, REAL h, REAL h_A, REAL h_AA, REAL h_AAA, REAL R, REAL I_, REAL R_A, REAL I_A, REAL *out)
-{
+KERNEL void OF(isolas_far_by_x)(REAL x, REAL A, REAL F_0, REAL I_0, REAL I_0A, REAL I_0AA, REAL I_0AAA, REAL zeta, REAL zeta_A, REAL zeta_AA, REAL zeta_AAA, REAL d, REAL d_3, REAL h, REAL h_A, REAL h_AA, REAL h_AAA, REAL R, REAL I_, REAL R_A, REAL I_A, REAL *out) {
     const REAL t0 = MUL(A, zeta);
     const REAL t1 = TIMES(2.0, t0);
     const REAL t2 = MUL(I_0, x);

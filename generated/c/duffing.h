@@ -20,8 +20,7 @@ SF_FAMILY_BEGIN
 
 /* h, h_A, h_AA, h_AAA together.
    Equation (20)-(22), (31). Domain: A >= 0. Operations: 19. Error / u (1 + kappa): proved 5.76, 4.76, 2.34, 1.51. */
-SF_KERNEL void duffing_averaged(double A, const double *p, double *out)
-{
+SF_KERNEL void duffing_averaged(double A, const double *p, double *out) {
     const double alpha = p[0], beta = p[1], gamma = p[2];
     const double t0 = A * A;
     const double gamma_A2 = gamma * t0;
@@ -36,8 +35,7 @@ SF_KERNEL void duffing_averaged(double A, const double *p, double *out)
 
 /* h, h_A together.
    Equation (20)-(22), (31). Domain: A >= 0. Operations: 13. Error / u (1 + kappa): proved 5.76, 4.76. */
-SF_KERNEL void duffing_averaged_2(double A, const double *p, double *out)
-{
+SF_KERNEL void duffing_averaged_2(double A, const double *p, double *out) {
     const double alpha = p[0], beta = p[1], gamma = p[2];
     const double t0 = A * A;
     const double gamma_A2 = gamma * t0;
@@ -49,8 +47,7 @@ SF_KERNEL void duffing_averaged_2(double A, const double *p, double *out)
 
 /* H, H_A together.
    Equation (20)-(22), (31). Domain: A >= 0. Operations: 14. Error / u (1 + kappa): proved 8.01, 6.67. */
-SF_KERNEL void duffing_averaged_H(double A, const double *p, double *out)
-{
+SF_KERNEL void duffing_averaged_H(double A, const double *p, double *out) {
     const double alpha = p[0], beta = p[1], gamma = p[2];
     const double t0 = A * A;
     const double gamma_A2 = gamma * t0;
@@ -63,8 +60,7 @@ SF_KERNEL void duffing_averaged_H(double A, const double *p, double *out)
 
 /* h - A h_A, where the tangent of h meets A = 0; linear terms are none.
    Equation (20)-(22), (31). Domain: A >= 0. Operations: 8. Error / u (1 + kappa): proved 4.61. */
-SF_KERNEL double duffing_intercept(double A, double alpha, double beta, double gamma)
-{
+SF_KERNEL double duffing_intercept(double A, double alpha, double beta, double gamma) {
     const double t0 = A * A;
     const double gamma_A2 = gamma * t0;
     const double gamma_A4 = gamma_A2 * t0;
@@ -75,8 +71,7 @@ SF_KERNEL double duffing_intercept(double A, double alpha, double beta, double g
 /* Higher harmonics of the force, as h is its first: h_3, h_3_A, h_3_AA, h_3_AAA, h_5, h_5_A, h_5_AA, h_5_AAA.
    Equation beyond (20). Domain: A >= 0. Operations: 26. Error / u (1 + kappa): proved 4.11, 3.51, 2.34, 1.51, 0.72,
    0.84, 0.81, 0.76. */
-SF_KERNEL void duffing_harmonics(double A, const double *p, double *out)
-{
+SF_KERNEL void duffing_harmonics(double A, const double *p, double *out) {
     const double beta = p[1], gamma = p[2];
     const double A2 = A * A;
     const double A3 = A * A2;
@@ -96,8 +91,7 @@ SF_KERNEL void duffing_harmonics(double A, const double *p, double *out)
 
 /* d/dp of h, h_A and h_AA at a fixed A, for each parameter p in turn.
    Equation from (20)-(22), (31). Domain: A > 0. Operations: 10. Error / u (1 + kappa): proved 0.84 at most. */
-SF_KERNEL void duffing_by_parameter(double A, double h, double h_A, double h_AA, const double *p, double *out)
-{
+SF_KERNEL void duffing_by_parameter(double A, double h, double h_A, double h_AA, const double *p, double *out) {
     const double A2 = A * A;
     const double A3 = A * A2;
     const double A4 = A2 * A2;
@@ -115,8 +109,7 @@ SF_KERNEL void duffing_by_parameter(double A, double h, double h_A, double h_AA,
 
 /* d/d of each number of the design: of each parameter in turn, then of each breakpoint.
    Equation (5), (7). Domain: any design. Operations: 0. Error / u (1 + kappa): proved 0.0 at most. */
-SF_KERNEL void duffing_by_design(double alpha, double beta, double gamma, double *out)
-{
+SF_KERNEL void duffing_by_design(double alpha, double beta, double gamma, double *out) {
     for (int k = 0; k < 9; k++)
         out[k] = 0.0;
     out[0] = 1.0;
@@ -126,8 +119,7 @@ SF_KERNEL void duffing_by_design(double alpha, double beta, double gamma, double
 
 /* The parameters alpha, beta, gamma from the design.
    Equation (5), (7). Domain: any design. Operations: 0. Error / u (1 + kappa): proved 0.0, 0.0, 0.0. */
-SF_KERNEL void duffing_coefficients(double alpha, double beta, double gamma, double *out)
-{
+SF_KERNEL void duffing_coefficients(double alpha, double beta, double gamma, double *out) {
     out[0] = alpha;
     out[1] = beta;
     out[2] = gamma;
@@ -135,20 +127,17 @@ SF_KERNEL void duffing_coefficients(double alpha, double beta, double gamma, dou
 
 /* The |u| at which a piece of the force ends.
    Equation (5). Domain: any parameters. Operations: 0. */
-SF_KERNEL void duffing_breakpoints(const double *p, double *out)
-{
+SF_KERNEL void duffing_breakpoints(const double *p, double *out) {
 }
 
 /* What the force loses at each breakpoint: f below less f above.
    Equation (5). Domain: any parameters. Operations: 0. */
-SF_KERNEL void duffing_jumps(const double *p, double *out)
-{
+SF_KERNEL void duffing_jumps(const double *p, double *out) {
 }
 
 /* The force over the displacement, f(u)/u, rises with |u| where none of these is negative.
    Equation from (3). Domain: any parameters. Operations: 0. Error / u (1 + kappa): proved 0.0, 0.0. */
-SF_KERNEL void duffing_hardening(const double *p, double *out)
-{
+SF_KERNEL void duffing_hardening(const double *p, double *out) {
     const double beta = p[1], gamma = p[2];
     out[0] = beta;
     out[1] = gamma;
@@ -156,8 +145,7 @@ SF_KERNEL void duffing_hardening(const double *p, double *out)
 
 /* f and its derivatives just above 0, their gains at each breakpoint, and the last piece's by its formula at 0.
    Equation (3), (5). Domain: any parameters. Operations: 2. Error / u (1 + kappa): proved 0.51 at most. */
-SF_KERNEL void duffing_steps(const double *p, double *out)
-{
+SF_KERNEL void duffing_steps(const double *p, double *out) {
     const double alpha = p[0], beta = p[1], gamma = p[2];
     const double t0 = 6.0 * beta;
     const double t1 = 120.0 * gamma;
@@ -173,8 +161,7 @@ SF_KERNEL void duffing_steps(const double *p, double *out)
 
 /* What each parameter does to derivatives of each piece at u = 0, then to their gains at each breakpoint.
    Equation (3). Domain: any parameters. Operations: 0. Error / u (1 + kappa): proved 0.0 at most. */
-SF_KERNEL void duffing_steps_by(const double *p, double *out)
-{
+SF_KERNEL void duffing_steps_by(const double *p, double *out) {
     for (int k = 0; k < 18; k++)
         out[k] = 0.0;
     out[1] = 1.0;
@@ -184,24 +171,21 @@ SF_KERNEL void duffing_steps_by(const double *p, double *out)
 
 /* Piece 1 of the whole restoring force u + F_k(u).
    Equation (3), (5). Domain: where it holds. Operations: 6. Error / u (1 + kappa): proved 4.76. */
-SF_KERNEL double duffing_force_1(double u, double alpha, double beta, double gamma)
-{
+SF_KERNEL double duffing_force_1(double u, double alpha, double beta, double gamma) {
     const double t0 = u * u;
     return u * (alpha + t0 * (beta + gamma * t0));
 }
 
 /* d/du of piece 1 of the whole restoring force u + F_k(u).
    Equation (3), (5). Domain: where it holds. Operations: 7. Error / u (1 + kappa): proved 4.51. */
-SF_KERNEL double duffing_force_1_u(double u, double alpha, double beta, double gamma)
-{
+SF_KERNEL double duffing_force_1_u(double u, double alpha, double beta, double gamma) {
     const double t0 = u * u;
     return alpha + t0 * (3.0 * beta + 5.0 * gamma * t0);
 }
 
 /* Whole dimensionless restoring force u + F_k(u).
    Equation (3), (5). Domain: any u. */
-SF_KERNEL double duffing_force(double u, double alpha, double beta, double gamma)
-{
+SF_KERNEL double duffing_force(double u, double alpha, double beta, double gamma) {
     
         return duffing_force_1(u, alpha, beta, gamma);
 }
@@ -210,8 +194,7 @@ SF_KERNEL double duffing_force(double u, double alpha, double beta, double gamma
    Equation (33). Domain: roots with A > 0. Operations: 238. Error / u (1 + kappa): proved 0.82, 0.91, 6.01, 4.01,
    8.17, -, -, -, -, -, -, -, -, -, -, 4.8, 5.04, 0.89, 0.89; measured 0.78. */
 #define DUFFING_SADDLE_NODE_ONSET_COUNT 19
-SF_KERNEL void duffing_saddle_node_onset(double m, double zeta, const double *p, double *out)
-{
+SF_KERNEL void duffing_saddle_node_onset(double m, double zeta, const double *p, double *out) {
     const double alpha = p[0], beta = p[1], gamma = p[2];
     const double t0 = alpha * alpha;
     const double zeta2 = zeta * zeta;
@@ -284,8 +267,7 @@ SF_KERNEL void duffing_saddle_node_onset(double m, double zeta, const double *p,
 /* Reduced resultant of F and F_A: coefficients of A^0, A^2, ...; its roots are candidates for folds.
    Equation from (24), (30). Domain: roots with A > 0. Operations: 355. Error / u (1 + kappa): measured 0.61. */
 #define DUFFING_SADDLE_NODES_COUNT 17
-SF_KERNEL void duffing_saddle_nodes(double F_0, double m, double zeta, const double *p, double *out)
-{
+SF_KERNEL void duffing_saddle_nodes(double F_0, double m, double zeta, const double *p, double *out) {
     const double alpha = p[0], beta = p[1], gamma = p[2];
     const double excess = (F_0 - m) * (F_0 + m);
     const double m2 = m * m;

@@ -23,8 +23,7 @@
 
 /* F, and what its rounding error is below ROUGH times of.
    Equation (24). Domain: Omega >= 0, A > 0. Operations: 20. Error / u (1 + kappa): measured 0.98. */
-SF_TWOFOLD void frequencies_response(double Omega, double A, double F_0, double m, double zeta, double h, double *out)
-{
+SF_TWOFOLD void frequencies_response(double Omega, double A, double F_0, double m, double zeta, double h, double *out) {
     const double t0 = A * Omega * Omega;
     const double R = h + t0;
     const double I_ = 2.0 * A * Omega * zeta + m;
@@ -36,8 +35,7 @@ SF_TWOFOLD void frequencies_response(double Omega, double A, double F_0, double 
 
 /* F at Omega = 0, and what its rounding error is below ROUGH times of.
    Equation (24). Domain: any. Operations: 7. Error / u (1 + kappa): proved -, 1.34; measured 1.3. */
-SF_TWOFOLD void frequencies_response_at_0(double F_0, double m, double h, double *out)
-{
+SF_TWOFOLD void frequencies_response_at_0(double F_0, double m, double h, double *out) {
     const double t0 = h * h;
     const double t1 = F_0 + m;
     out[0] = t0 + t1 * (-F_0 + m);
@@ -46,8 +44,7 @@ SF_TWOFOLD void frequencies_response_at_0(double F_0, double m, double h, double
 
 /* F_A/2, and what its rounding error is below ROUGH times of.
    Equation (30). Domain: Omega >= 0, A > 0. Operations: 23. Error / u (1 + kappa): measured 1.1. */
-SF_TWOFOLD void frequencies_fold(double Omega, double A, double m, double zeta, double h, double h_A, double *out)
-{
+SF_TWOFOLD void frequencies_fold(double Omega, double A, double m, double zeta, double h, double h_A, double *out) {
     const double t0 = Omega * Omega;
     const double t1 = A * t0;
     const double R = h + t1;
@@ -62,30 +59,26 @@ SF_TWOFOLD void frequencies_fold(double Omega, double A, double m, double zeta, 
 
 /* F_A/2 at Omega = 0.
    Equation (30). Domain: any. Operations: 1. Error / u (1 + kappa): proved 0.34. */
-SF_TWOFOLD double frequencies_fold_at_0(double h, double h_A)
-{
+SF_TWOFOLD double frequencies_fold_at_0(double h, double h_A) {
     return h * h_A;
 }
 
 /* A Omega^3 + p Omega + q.
    Equation from (24), (30). Domain: Omega >= 0, A > 0. Operations: 5. Error / u (1 + kappa): proved 2.67. */
-SF_TWOFOLD double frequencies_cubic(double Omega, double A, double p, double q)
-{
+SF_TWOFOLD double frequencies_cubic(double Omega, double A, double p, double q) {
     return Omega * (A * Omega * Omega + p) + q;
 }
 
 /* Its derivative by Omega.
    Equation from (24), (30). Domain: Omega >= 0, A > 0. Operations: 4. Error / u (1 + kappa): proved 1.26. */
-SF_TWOFOLD double frequencies_cubic_slope(double Omega, double A, double p)
-{
+SF_TWOFOLD double frequencies_cubic_slope(double Omega, double A, double p) {
     return 3.0 * A * Omega * Omega + p;
 }
 
 /* Of a quartic from 0 to a critical point, and its magnitude.
    Equation from (24), (30). Domain: Omega >= 0, A > 0. Operations: 11. Error / u (1 + kappa): proved 3.01, -;
    measured 0.55. */
-SF_TWOFOLD void frequencies_rise(double Omega, double A, double p, double k, double *out)
-{
+SF_TWOFOLD void frequencies_rise(double Omega, double A, double p, double k, double *out) {
     const double t0 = Omega * Omega;
     const double t1 = 0.75 * A * t0;
     const double t2 = k * t0;
@@ -95,8 +88,7 @@ SF_TWOFOLD void frequencies_rise(double Omega, double A, double p, double k, dou
 
 /* F in double-double, and what its error is below FINE times of.
    Exact: 6 products and 4 sums. Equation (24). Domain: Omega >= 0, A > 0. Error / u (1 + kappa): measured 1.9. */
-SF_TWOFOLD void frequencies_response_fine(double Omega, double A, double F_0, double m, double zeta, double h, double *out)
-{
+SF_TWOFOLD void frequencies_response_fine(double Omega, double A, double F_0, double m, double zeta, double h, double *out) {
     double d0_low;
     const double d0 = twofold_two_product(A, Omega, &d0_low);
     double d1_low;
@@ -133,8 +125,7 @@ SF_TWOFOLD void frequencies_response_fine(double Omega, double A, double F_0, do
 
 /* F at Omega + tail in double-double, and what its error is below FINE times of.
    Exact: 7 products and 4 sums. Equation (24). Domain: Omega >= 0, A > 0. Error / u (1 + kappa): measured 1.7. */
-SF_TWOFOLD void frequencies_response_beside(double Omega, double tail, double A, double F_0, double m, double zeta, double h, double *out)
-{
+SF_TWOFOLD void frequencies_response_beside(double Omega, double tail, double A, double F_0, double m, double zeta, double h, double *out) {
     double d0_low;
     const double d0 = twofold_two_product(A, Omega, &d0_low);
     const double d1 = fma(A, tail, d0_low);
@@ -176,8 +167,7 @@ SF_TWOFOLD void frequencies_response_beside(double Omega, double tail, double A,
 
 /* The derivative of F by Omega is k (A Omega^3 + p Omega + q): p, p_low, q, q_low, k.
    Exact: 3 products and 2 sums. Equation (24). Domain: A > 0. Error / u (1 + kappa): measured 0.31. */
-SF_TWOFOLD void frequencies_response_derivative(double A, double m, double zeta, double h, double *out)
-{
+SF_TWOFOLD void frequencies_response_derivative(double A, double m, double zeta, double h, double *out) {
     double d0_low;
     const double d0 = twofold_two_product(A, zeta, &d0_low);
     double d1_low;
@@ -199,8 +189,7 @@ SF_TWOFOLD void frequencies_response_derivative(double A, double m, double zeta,
 
 /* F at Omega = 0, with a certain sign.
    Exact: 3 products. Equation (24). Domain: any. Error / u (1 + kappa): measured 0.34. */
-SF_TWOFOLD double frequencies_response_exactly_at_0(double F_0, double m, double h)
-{
+SF_TWOFOLD double frequencies_response_exactly_at_0(double F_0, double m, double h) {
     double d0_low;
     const double d0 = twofold_two_product(h, h, &d0_low);
     double d1_low;
@@ -213,8 +202,7 @@ SF_TWOFOLD double frequencies_response_exactly_at_0(double F_0, double m, double
 
 /* F_A/2 in double-double, and what its error is below FINE times of.
    Exact: 7 products and 4 sums. Equation (30). Domain: Omega >= 0, A > 0. Error / u (1 + kappa): measured 1.5. */
-SF_TWOFOLD void frequencies_fold_fine(double Omega, double A, double m, double zeta, double h, double h_A, double *out)
-{
+SF_TWOFOLD void frequencies_fold_fine(double Omega, double A, double m, double zeta, double h, double h_A, double *out) {
     double d0_low;
     const double d0 = twofold_two_product(A, Omega, &d0_low);
     double d1_low;
@@ -256,8 +244,7 @@ SF_TWOFOLD void frequencies_fold_fine(double Omega, double A, double m, double z
 
 /* F_A/2 at Omega + tail in double-double, and what its error is below FINE times of.
    Exact: 8 products and 4 sums. Equation (30). Domain: Omega >= 0, A > 0. Error / u (1 + kappa): measured 1.1. */
-SF_TWOFOLD void frequencies_fold_beside(double Omega, double tail, double A, double m, double zeta, double h, double h_A, double *out)
-{
+SF_TWOFOLD void frequencies_fold_beside(double Omega, double tail, double A, double m, double zeta, double h, double h_A, double *out) {
     double d0_low;
     const double d0 = twofold_two_product(A, Omega, &d0_low);
     const double d1 = fma(A, tail, d0_low);
@@ -306,8 +293,7 @@ SF_TWOFOLD void frequencies_fold_beside(double Omega, double tail, double A, dou
 
 /* The derivative of F_A/2 by Omega is k (A Omega^3 + p Omega + q): p, p_low, q, q_low, k.
    Exact: 4 products and 4 sums. Equation (30). Domain: A > 0. Error / u (1 + kappa): measured 0.76. */
-SF_TWOFOLD void frequencies_fold_derivative(double A, double m, double zeta, double h, double h_A, double *out)
-{
+SF_TWOFOLD void frequencies_fold_derivative(double A, double m, double zeta, double h, double h_A, double *out) {
     double d0_low;
     const double d0 = twofold_two_product(A, zeta, &d0_low);
     double d1_low;
@@ -336,8 +322,7 @@ SF_TWOFOLD void frequencies_fold_derivative(double A, double m, double zeta, dou
 
 /* A Omega^3 + p Omega + q in double-double.
    Exact: 3 products and 2 sums. Equation from (24), (30). Domain: A > 0. Error / u (1 + kappa): measured 0.5. */
-SF_TWOFOLD double frequencies_cubic_fine(double Omega, double A, double p, double p_low, double q, double q_low)
-{
+SF_TWOFOLD double frequencies_cubic_fine(double Omega, double A, double p, double p_low, double q, double q_low) {
     double d0_low;
     const double d0 = twofold_two_product(A, Omega, &d0_low);
     double d1_low;
@@ -357,8 +342,7 @@ SF_TWOFOLD double frequencies_cubic_fine(double Omega, double A, double p, doubl
 
 /* Of the cubic, over A: for p < 0 < q positive where it has two positive roots; and its first term.
    Exact: 5 products and 1 sum. Equation from (24), (30). Domain: A > 0. Error / u (1 + kappa): measured 1.6. */
-SF_TWOFOLD void frequencies_discriminant(double A, double p, double p_low, double q, double q_low, double *out)
-{
+SF_TWOFOLD void frequencies_discriminant(double A, double p, double p_low, double q, double q_low, double *out) {
     double d0_low;
     const double d0 = twofold_two_product(27.0, A, &d0_low);
     double d1_low;

@@ -19,30 +19,26 @@
 
 /* Amplitude of the force on the mass.
    Equation beside (3). Domain: Omega >= 0. Operations: 2. Error / u (1 + kappa): proved 0.51. */
-SF_KERNEL double inertia_force(double Omega, double F_0)
-{
+SF_KERNEL double inertia_force(double Omega, double F_0) {
     return F_0 * Omega * Omega;
 }
 
 /* Its slopes by Omega, F_0.
    Equation beside (3). Domain: Omega >= 0. Operations: 3. Error / u (1 + kappa): proved 0.34, 0.34. */
-SF_KERNEL void inertia_force_slopes(double Omega, double F_0, double *out)
-{
+SF_KERNEL void inertia_force_slopes(double Omega, double F_0, double *out) {
     out[0] = 2.0 * F_0 * Omega;
     out[1] = Omega * Omega;
 }
 
 /* The F_0 of a force at one frequency.
    Equation beside (3). Domain: Omega > 0. Operations: 2. Error / u (1 + kappa): proved 0.51. */
-SF_KERNEL double inertia_amplitude(double Omega, double force)
-{
+SF_KERNEL double inertia_amplitude(double Omega, double force) {
     return force / (Omega * Omega);
 }
 
 /* The Omega from which on the force exceeds what holds a mass at rest, 4 mu/pi on the average.
    Equation beside (3). Domain: F_0 > 0, holds >= 0. Operations: 2. Error / u (1 + kappa): measured 0.61. */
-SF_KERNEL double inertia_moves_from(double F_0, double holds)
-{
+SF_KERNEL double inertia_moves_from(double F_0, double holds) {
     const double turn = holds / F_0;
     return sqrt(turn);
 }
@@ -50,8 +46,7 @@ SF_KERNEL double inertia_moves_from(double F_0, double holds)
 /* Frequency of a state that transmits sqrt(1 - reduction) of what drives it, though it moves.
    Equation from (23). Domain: A > F_0 sqrt(reduction), 0 <= reduction < 1, h <= 0. Operations: 8. Error / u (1 +
    kappa): measured 0.64. */
-SF_KERNEL double inertia_isolation(double A, double F_0, double reduction, double h)
-{
+SF_KERNEL double inertia_isolation(double A, double F_0, double reduction, double h) {
     const double removed = F_0 * sqrt(reduction);
     const double turn = -2.0 * h / (A - removed * removed / A);
     return sqrt(turn);
@@ -59,8 +54,7 @@ SF_KERNEL double inertia_isolation(double A, double F_0, double reduction, doubl
 
 /* The amplitude F_0 of the excitation for which (Omega, A) is a steady state.
    Equation from (24). Domain: Omega > 0, A > 0. Operations: 12. Error / u (1 + kappa): measured 1.3. */
-SF_KERNEL double inertia_level(double Omega, double A, double m, double zeta, double h)
-{
+SF_KERNEL double inertia_level(double Omega, double A, double m, double zeta, double h) {
     const double t0 = Omega * Omega;
     const double R = A * t0 + h;
     const double I_ = 2.0 * A * Omega * zeta + m;
@@ -69,8 +63,7 @@ SF_KERNEL double inertia_level(double Omega, double A, double m, double zeta, do
 
 /* Zero at a steady state.
    Equation from (24). Domain: Omega > 0, A > 0. Operations: 13. Error / u (1 + kappa): measured 0.81. */
-SF_KERNEL double inertia_F(double Omega, double A, double F_0, double m, double zeta, double h)
-{
+SF_KERNEL double inertia_F(double Omega, double A, double F_0, double m, double zeta, double h) {
     const double t0 = Omega * Omega;
     const double R = A * t0 + h;
     const double I_ = 2.0 * A * Omega * zeta + m;
@@ -80,8 +73,7 @@ SF_KERNEL double inertia_F(double Omega, double A, double F_0, double m, double 
 
 /* Omega^5 times the derivative of level^2 by Omega.
    Equation from (24). Domain: Omega > 0, A > 0. Operations: 13. Error / u (1 + kappa): proved 5.26. */
-SF_KERNEL double inertia_level_slope(double Omega, double A, double m, double zeta, double h)
-{
+SF_KERNEL double inertia_level_slope(double Omega, double A, double m, double zeta, double h) {
     const double R = A * Omega * Omega + h;
     const double t0 = A * Omega * zeta;
     const double I_ = m + 2.0 * t0;
@@ -90,8 +82,7 @@ SF_KERNEL double inertia_level_slope(double Omega, double A, double m, double ze
 
 /* dOmega/dA along the response.
    Equation from (24). Domain: Omega > 0, A > 0. Operations: 21. Error / u (1 + kappa): measured 1.1. */
-SF_KERNEL double inertia_Omega_A(double Omega, double A, double m, double zeta, double h, double h_A)
-{
+SF_KERNEL double inertia_Omega_A(double Omega, double A, double m, double zeta, double h, double h_A) {
     const double t0 = Omega * Omega;
     const double R = A * t0 + h;
     const double t1 = Omega * zeta;
@@ -102,15 +93,13 @@ SF_KERNEL double inertia_Omega_A(double Omega, double A, double m, double zeta, 
 
 /* x = 1/Omega where the level of an amplitude is least, by its `terms`.
    Equation from (24). Domain: fall > 0, linear >= 0, rest > 0. Operations: 8. Error / u (1 + kappa): measured 1.3. */
-SF_KERNEL double inertia_least(double fall, double linear, double rest)
-{
+SF_KERNEL double inertia_least(double fall, double linear, double rest) {
     return 8.0 * fall / (linear + sqrt(64.0 * fall * rest + linear * linear));
 }
 
 /* dOmega/dA where the level of an amplitude is least: what a rounding of A does to Omega there.
    Equation from (24). Domain: x of `least`, h < 0. Operations: 24. Error / u (1 + kappa): measured 1.7. */
-SF_KERNEL double inertia_least_Omega_A(double x, double A, double m, double zeta, double h, double h_A)
-{
+SF_KERNEL double inertia_least_Omega_A(double x, double A, double m, double zeta, double h, double h_A) {
     const double t0 = x * x;
     const double t1 = 3.0 * m * zeta;
     const double t2 = 2.0 * x;
@@ -121,8 +110,7 @@ SF_KERNEL double inertia_least_Omega_A(double x, double A, double m, double zeta
 /* dR/dA at a fold by k = h - A h_A: of the two with F_A = 0 the larger, the other; -R/I with the first.
    Equation from (30). Domain: Omega > 0, A > 0, zeta > 0, k other than 0. Operations: 24. Error / u (1 + kappa):
    measured 1.1. */
-SF_KERNEL void inertia_fold_slopes(double Omega, double A, double m, double zeta, double k, double *out)
-{
+SF_KERNEL void inertia_fold_slopes(double Omega, double A, double m, double zeta, double k, double *out) {
     const double t0 = 2.0 * Omega * zeta;
     const double I_ = A * t0 + m;
     const double part = -8.0 * A * I_ * Omega * zeta / (k * k) + 1.0;
@@ -137,24 +125,21 @@ SF_KERNEL void inertia_fold_slopes(double Omega, double A, double m, double zeta
 
 /* The F_0 of a force at a fold, by the one of `fold_slopes` that is not its own.
    Equation from (24), (30). Domain: Omega > 0, A > 0. Operations: 10. Error / u (1 + kappa): measured 0.91. */
-SF_KERNEL double inertia_fold_force(double Omega, double A, double m, double zeta, double other)
-{
+SF_KERNEL double inertia_fold_force(double Omega, double A, double m, double zeta, double other) {
     const double I_ = 2.0 * A * Omega * zeta + m;
     return sqrt(A * A * other * other + I_ * I_);
 }
 
 /* The F_0 of a fold, by the one of `fold_slopes` that is not its own.
    Equation from (24), (30). Domain: Omega > 0, A > 0. Operations: 12. Error / u (1 + kappa): measured 0.73. */
-SF_KERNEL double inertia_fold_level(double Omega, double A, double m, double zeta, double other)
-{
+SF_KERNEL double inertia_fold_level(double Omega, double A, double m, double zeta, double other) {
     const double I_ = 2.0 * A * Omega * zeta + m;
     return sqrt(A * A * other * other + I_ * I_) / (Omega * Omega);
 }
 
 /* -R/I where the level is least and R small beside A Omega^2.
    Equation from (24). Domain: Omega > 0, A > 0, zeta > 0. Operations: 22. Error / u (1 + kappa): measured 1.2. */
-SF_KERNEL double inertia_peak_share(double Omega, double A, double m, double zeta)
-{
+SF_KERNEL double inertia_peak_share(double Omega, double A, double m, double zeta) {
     const double t0 = A * Omega * zeta;
     const double t1 = 2.0 * t0;
     const double I_ = m + t1;
@@ -167,16 +152,14 @@ SF_KERNEL double inertia_peak_share(double Omega, double A, double m, double zet
 
 /* Omega of a steady state with that -R/I.
    Equation from (24). Domain: A > 0, F_0 > 0. Operations: 13. Error / u (1 + kappa): measured 1.2. */
-SF_KERNEL double inertia_Omega_of_share(double A, double F_0, double m, double zeta, double share)
-{
+SF_KERNEL double inertia_Omega_of_share(double A, double F_0, double m, double zeta, double share) {
     const double of_I = F_0 / sqrt(share * share + 1.0);
     return (A * zeta + sqrt(A * A * zeta * zeta + m * of_I)) / of_I;
 }
 
 /* Positive at a cusp where the level has a minimum along the fold locus, negative at a maximum.
    Equation from (24), (30). Domain: Omega > 0, A > 0. Operations: 30. Error / u (1 + kappa): measured 0.87. */
-SF_KERNEL double inertia_cusp_bend(double Omega, double A, double m, double zeta, double h, double h_A, double h_AA, double h_AAA)
-{
+SF_KERNEL double inertia_cusp_bend(double Omega, double A, double m, double zeta, double h, double h_A, double h_AA, double h_AAA) {
     const double t0 = Omega * Omega;
     const double R = A * t0 + h;
     const double t1 = A * Omega;
@@ -189,8 +172,7 @@ SF_KERNEL double inertia_cusp_bend(double Omega, double A, double m, double zeta
 
 /* At an isola point: negative where the level has a saddle in (A, Omega).
    Equation from (24), (30). Domain: Omega > 0, A > 0. Operations: 55. Error / u (1 + kappa): measured 1.7. */
-SF_KERNEL double inertia_hessian(double Omega, double A, double m, double zeta, double h, double h_A, double h_AA)
-{
+SF_KERNEL double inertia_hessian(double Omega, double A, double m, double zeta, double h, double h_A, double h_AA) {
     const double t0 = Omega * Omega;
     const double R = A * t0 + h;
     const double t1 = 2.0 * A;
@@ -217,8 +199,7 @@ SF_KERNEL double inertia_hessian(double Omega, double A, double m, double zeta, 
 /* Positive where no state has an amplitude A > F_0, if zeta^2 A <= lost |h|; three derivatives by A.
    Equation from (24). Domain: A > 0, h < 0, lost <= 1/2. Operations: 20. Error / u (1 + kappa): proved 14.01,
    14.01, 12.01, 10.01. */
-SF_KERNEL void inertia_bound(double A, double F_0, double zeta, double h, double h_A, double h_AA, double h_AAA, double lost, double *out)
-{
+SF_KERNEL void inertia_bound(double A, double F_0, double zeta, double h, double h_A, double h_AA, double h_AAA, double lost, double *out) {
     const double t0 = F_0 * F_0;
     const double t1 = zeta * zeta * (1.0 - lost);
     const double t2 = 24.0 * t1;
@@ -232,8 +213,7 @@ SF_KERNEL void inertia_bound(double A, double F_0, double zeta, double h, double
 
 /* What zeta^2 A is of |h|: `lost` of the `bound`.
    Equation from (24). Domain: h < 0. Operations: 3. Error / u (1 + kappa): proved 0.61. */
-SF_KERNEL double inertia_share(double A, double zeta, double h)
-{
+SF_KERNEL double inertia_share(double A, double zeta, double h) {
     const double twice = zeta * zeta;
     return -A * twice / h;
 }

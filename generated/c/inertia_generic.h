@@ -8,8 +8,7 @@
 
 /* What the least level of an amplitude follows from; it has one where the first, fall, is positive.
    Equation from (24). Domain: A > 0. Operations: 11. Error / u (1 + kappa): proved 1.61, 0.76, 0.67. */
-KERNEL void OF(terms)(REAL A, REAL m, REAL zeta, REAL h, REAL *out)
-{
+KERNEL void OF(terms)(REAL A, REAL m, REAL zeta, REAL h, REAL *out) {
     out[0] = NEG(MUL(A, ADD(BY_SQUARE(TIMES(2.0, A), zeta), h)));
     out[1] = MUL(MUL(TIMES(12.0, A), m), zeta);
     out[2] = ADD(SQUARE(h), SQUARE(m));
@@ -17,8 +16,7 @@ KERNEL void OF(terms)(REAL A, REAL m, REAL zeta, REAL h, REAL *out)
 
 /* The least level of an amplitude less F_0, and its slope along A.
    Equation from (24). Domain: x of `least`, h < 0. Operations: 19. Error / u (1 + kappa): measured 0.87. */
-KERNEL void OF(peak)(REAL x, REAL A, REAL F_0, REAL m, REAL zeta, REAL h, REAL h_A, REAL *out)
-{
+KERNEL void OF(peak)(REAL x, REAL A, REAL F_0, REAL m, REAL zeta, REAL h, REAL h_A, REAL *out) {
     const REAL t0 = MUL(A, zeta);
     const REAL t1 = MUL(m, x);
     const REAL drag = ADD(t0, t1);
@@ -31,8 +29,7 @@ KERNEL void OF(peak)(REAL x, REAL A, REAL F_0, REAL m, REAL zeta, REAL h, REAL h
 
 /* Has the sign of F_A where an amplitude's level is least: zero at an isola point; its slope along A.
    Equation from (24), (30). Domain: x of `least`, h < 0. Operations: 50. Error / u (1 + kappa): measured 1.2. */
-KERNEL void OF(isola)(REAL x, REAL A, REAL m, REAL zeta, REAL h, REAL h_A, REAL h_AA, REAL *out)
-{
+KERNEL void OF(isola)(REAL x, REAL A, REAL m, REAL zeta, REAL h, REAL h_A, REAL h_AA, REAL *out) {
     const REAL t0 = MUL(A, zeta);
     const REAL t1 = MUL(m, x);
     const REAL t2 = ADD(t0, t1);
@@ -52,8 +49,7 @@ KERNEL void OF(isola)(REAL x, REAL A, REAL m, REAL zeta, REAL h, REAL h_A, REAL 
 
 /* The same without its slope by k = h - A h_A and cubic = 3 h - A h_A, small where h is like A^3.
    Equation from (24), (30). Domain: x of `least`, h < 0. Operations: 17. Error / u (1 + kappa): measured 1.1. */
-KERNEL REAL OF(isola_apart)(REAL x, REAL A, REAL m, REAL zeta, REAL h, REAL k, REAL cubic)
-{
+KERNEL REAL OF(isola_apart)(REAL x, REAL A, REAL m, REAL zeta, REAL h, REAL k, REAL cubic) {
     const REAL t0 = MUL(A, zeta);
     const REAL t1 = MUL(m, x);
     const REAL drag = ADD(t0, t1);

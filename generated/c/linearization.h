@@ -14,8 +14,7 @@
 
 /* Friction and viscous damping ratio in the mean over u, then their slopes by ln(sigma_u).
    Equation (3). Domain: level > 0, sigma_u > 0. Operations: 11. */
-SF_KERNEL void linearization_over_displacements(double level, double within, double sigma_u, double mu, double zeta, double zeta_2, double *out)
-{
+SF_KERNEL void linearization_over_displacements(double level, double within, double sigma_u, double mu, double zeta, double zeta_2, double *out) {
     const double t0 = sigma_u * sigma_u * zeta_2;
     out[0] = mu * within;
     out[1] = t0 + zeta;
@@ -25,8 +24,7 @@ SF_KERNEL void linearization_over_displacements(double level, double within, dou
 
 /* Damping of the linear oscillator, its slope by ln(sigma_v), and what of it is dry friction's.
    Equation (3). Domain: sigma_v > 0. Operations: 14. */
-SF_KERNEL void linearization_equivalent_damping(double sigma_v, double mu, double zeta, double c_2, double c_3, double *out)
-{
+SF_KERNEL void linearization_equivalent_damping(double sigma_v, double mu, double zeta, double c_2, double c_3, double *out) {
     const double t0 = c_3 * sigma_v * sigma_v;
     const double t1 = 1.5957691216057308 * c_2 * sigma_v;
     const double t2 = 0.79788456080286541 * mu / sigma_v;
@@ -37,8 +35,7 @@ SF_KERNEL void linearization_equivalent_damping(double sigma_v, double mu, doubl
 
 /* Mean square of the damping force of (3).
    Equation (3). Domain: level > 0. Operations: 65. */
-SF_KERNEL double linearization_damping_force(double level, double within, double sigma_u, double sigma_v, double mu, double zeta, double c_2, double c_3, double zeta_2)
-{
+SF_KERNEL double linearization_damping_force(double level, double within, double sigma_u, double sigma_v, double mu, double zeta, double c_2, double c_3, double zeta_2) {
     const double t0 = 0.79788456080286541 * c_2;
     const double t1 = 12.0 * c_3;
     const double sigma_u2 = sigma_u * sigma_u;
@@ -61,8 +58,7 @@ SF_KERNEL double linearization_damping_force(double level, double within, double
 
 /* Z, and the slopes of -ln Z by ln k and ln c.
    Equation (3). Domain: Omega > 0, k > 0, c > 0. Operations: 10. */
-SF_KERNEL void linearization_response(double Omega, double k, double c, double *out)
-{
+SF_KERNEL void linearization_response(double Omega, double k, double c, double *out) {
     const double t0 = Omega * Omega;
     const double t1 = c * c * t0;
     const double t2 = k - t0;
@@ -75,8 +71,7 @@ SF_KERNEL void linearization_response(double Omega, double k, double c, double *
 
 /* Of the slope of -ln Z by ln k the least and the largest, and the largest k^2/Z, at any frequency.
    Equation (3). Domain: 0 < ratio < 1/2. Operations: 11. */
-SF_KERNEL void linearization_steepest(double ratio, double *out)
-{
+SF_KERNEL void linearization_steepest(double ratio, double *out) {
     const double t0 = 1.0 / (ratio - 1.0);
     const double t1 = 0.5 / ratio;
     const double t2 = 1.0 / (ratio + 1.0);
@@ -87,8 +82,7 @@ SF_KERNEL void linearization_steepest(double ratio, double *out)
 
 /* What a pole of 1/Z adds to I_0, its slopes by ln k and ln c, then to I_2 and its slopes.
    Equation (3). Domain: 0 < theta < pi/2, k > 0, c > 0. Operations: 94. */
-SF_KERNEL void linearization_resonance(double theta, double k, double c, double slope, double G, double E_re, double E_im, double D_re, double D_im, double *out)
-{
+SF_KERNEL void linearization_resonance(double theta, double k, double c, double slope, double G, double E_re, double E_im, double D_re, double D_im, double *out) {
     const double t0 = theta * (slope - 1.0);
     const double t1 = cos(t0);
     const double t2 = sin(t0);

@@ -6,8 +6,7 @@
 
 /* The averaged restoring force h = H - A.
    Equation (20)-(22). Domain: A >= 0. */
-KERNEL double OF(h)(double A, const double *p)
-{
+KERNEL double OF(h)(double A, const double *p) {
     double values[2];
     OF(averaged_2)(A, p, values);
     return values[0];
@@ -15,8 +14,7 @@ KERNEL double OF(h)(double A, const double *p)
 
 /* d/dA of the averaged restoring force h = H - A.
    Equation (31). Domain: A >= 0. */
-KERNEL double OF(h_A)(double A, const double *p)
-{
+KERNEL double OF(h_A)(double A, const double *p) {
     double values[2];
     OF(averaged_2)(A, p, values);
     return values[1];
@@ -24,8 +22,7 @@ KERNEL double OF(h_A)(double A, const double *p)
 
 /* d2/dA2 of the averaged restoring force h = H - A.
    Equation from (31). Domain: A >= 0. */
-KERNEL double OF(h_AA)(double A, const double *p)
-{
+KERNEL double OF(h_AA)(double A, const double *p) {
     double values[4];
     OF(averaged)(A, p, values);
     return values[2];
@@ -33,8 +30,7 @@ KERNEL double OF(h_AA)(double A, const double *p)
 
 /* d3/dA3 of the averaged restoring force h = H - A.
    Equation from (31). Domain: A >= 0. */
-KERNEL double OF(h_AAA)(double A, const double *p)
-{
+KERNEL double OF(h_AAA)(double A, const double *p) {
     double values[4];
     OF(averaged)(A, p, values);
     return values[3];
@@ -42,8 +38,7 @@ KERNEL double OF(h_AAA)(double A, const double *p)
 
 /* The averaged force H beside the vertical spring.
    Equation (20)-(22). Domain: A >= 0. */
-KERNEL double OF(H)(double A, const double *p)
-{
+KERNEL double OF(H)(double A, const double *p) {
     double values[2];
     OF(averaged_H)(A, p, values);
     return values[0];
@@ -51,8 +46,7 @@ KERNEL double OF(H)(double A, const double *p)
 
 /* d/dA of the averaged force H beside the vertical spring.
    Equation (31). Domain: A >= 0. */
-KERNEL double OF(H_A)(double A, const double *p)
-{
+KERNEL double OF(H_A)(double A, const double *p) {
     double values[2];
     OF(averaged_H)(A, p, values);
     return values[1];
@@ -60,8 +54,7 @@ KERNEL double OF(H_A)(double A, const double *p)
 
 /* d2/dA2 of the averaged force H beside the vertical spring.
    Equation from (31). Domain: A >= 0. */
-KERNEL double OF(H_AA)(double A, const double *p)
-{
+KERNEL double OF(H_AA)(double A, const double *p) {
     double values[4];
     OF(averaged)(A, p, values);
     return values[2];
@@ -69,8 +62,7 @@ KERNEL double OF(H_AA)(double A, const double *p)
 
 /* Frequency response; zero at a steady state.
    Equation (24). Domain: Omega > 0, A > 0. */
-KERNEL double OF(F)(double Omega, double A, double F_0, double mu, double zeta, const double *p)
-{
+KERNEL double OF(F)(double Omega, double A, double F_0, double mu, double zeta, const double *p) {
     double average[2];
     OF(averaged_2)(A, p, average);
     return slow_flow_F(Omega, A, F_0, slow_flow_friction(mu), zeta, average[0]);
@@ -78,8 +70,7 @@ KERNEL double OF(F)(double Omega, double A, double F_0, double mu, double zeta, 
 
 /* dF/dA; positive where stable.
    Equation (24), (30). Domain: Omega > 0, A > 0. */
-KERNEL double OF(F_A)(double Omega, double A, double mu, double zeta, const double *p)
-{
+KERNEL double OF(F_A)(double Omega, double A, double mu, double zeta, const double *p) {
     double average[2];
     OF(averaged_2)(A, p, average);
     return slow_flow_F_A(Omega, A, slow_flow_friction(mu), zeta, average[0], average[1]);
@@ -87,8 +78,7 @@ KERNEL double OF(F_A)(double Omega, double A, double mu, double zeta, const doub
 
 /* The forcing F_0 for which (Omega, A) is a steady state.
    Equation (24). Domain: Omega >= 0, A > 0. */
-KERNEL double OF(level)(double Omega, double A, double mu, double zeta, const double *p)
-{
+KERNEL double OF(level)(double Omega, double A, double mu, double zeta, const double *p) {
     double average[2];
     OF(averaged_2)(A, p, average);
     return slow_flow_level(Omega, A, slow_flow_friction(mu), zeta, average[0]);
@@ -96,8 +86,7 @@ KERNEL double OF(level)(double Omega, double A, double mu, double zeta, const do
 
 /* Phase phi of a steady state, from -pi to 0.
    Equation (25). Domain: Omega > 0, A > 0. */
-KERNEL double OF(phase)(double Omega, double A, double mu, double zeta, const double *p)
-{
+KERNEL double OF(phase)(double Omega, double A, double mu, double zeta, const double *p) {
     double average[2];
     OF(averaged_2)(A, p, average);
     return slow_flow_phase(Omega, A, slow_flow_friction(mu), zeta, average[0]);
@@ -105,8 +94,7 @@ KERNEL double OF(phase)(double Omega, double A, double mu, double zeta, const do
 
 /* Jacobian of the slow flow (A', phi') at a fixed point: J11, J12, J21, J22.
    Equation (28). Domain: Omega > 0, A > 0. */
-KERNEL void OF(jacobian)(double Omega, double A, double mu, double zeta, const double *p, double *out)
-{
+KERNEL void OF(jacobian)(double Omega, double A, double mu, double zeta, const double *p, double *out) {
     double average[2];
     OF(averaged_2)(A, p, average);
     slow_flow_jacobian(Omega, A, slow_flow_friction(mu), zeta, average[0], average[1], out);
@@ -114,8 +102,7 @@ KERNEL void OF(jacobian)(double Omega, double A, double mu, double zeta, const d
 
 /* 4 Omega^2 det(jacobian) = F_A/(2 A); stable where positive.
    Equation (30). Domain: Omega > 0, A > 0. */
-KERNEL double OF(stability)(double Omega, double A, double mu, double zeta, const double *p)
-{
+KERNEL double OF(stability)(double Omega, double A, double mu, double zeta, const double *p) {
     double average[2];
     OF(averaged_2)(A, p, average);
     return slow_flow_stability(Omega, A, slow_flow_friction(mu), zeta, average[0], average[1]);
@@ -123,8 +110,7 @@ KERNEL double OF(stability)(double Omega, double A, double mu, double zeta, cons
 
 /* Fundamental harmonic of the force on the base over F_0, at a steady state.
    Equation from (23). Domain: Omega > 0, A > 0, F_0 > 0. */
-KERNEL double OF(transmissibility)(double Omega, double A, double F_0, double mu, double zeta, const double *p)
-{
+KERNEL double OF(transmissibility)(double Omega, double A, double F_0, double mu, double zeta, const double *p) {
     double average[2];
     OF(averaged_2)(A, p, average);
     return slow_flow_transmissibility(Omega, A, F_0, slow_flow_friction(mu), zeta, average[0]);
@@ -132,8 +118,7 @@ KERNEL double OF(transmissibility)(double Omega, double A, double F_0, double mu
 
 /* Frequency on the backbone.
    Equation (26). Domain: A > 0, h <= 0. */
-KERNEL double OF(backbone)(double A, const double *p)
-{
+KERNEL double OF(backbone)(double A, const double *p) {
     double average[2];
     OF(averaged_2)(A, p, average);
     return slow_flow_backbone(A, average[0]);
@@ -141,22 +126,19 @@ KERNEL double OF(backbone)(double A, const double *p)
 
 /* Largest amplitude that the forcing can hold at this frequency.
    Equation (27). Domain: Omega > 0, F_0 > m; sticks otherwise. */
-KERNEL double OF(limit_envelope)(double Omega, double F_0, double mu, double zeta)
-{
+KERNEL double OF(limit_envelope)(double Omega, double F_0, double mu, double zeta) {
     return slow_flow_limit_envelope(Omega, F_0, slow_flow_friction(mu), zeta);
 }
 
 /* Viscous damping ratio that dissipates as much as zeta and friction together.
    Equation (38). Domain: Omega > 0, A > 0. */
-KERNEL double OF(equivalent_damping)(double Omega, double A, double mu, double zeta)
-{
+KERNEL double OF(equivalent_damping)(double Omega, double A, double mu, double zeta) {
     return slow_flow_equivalent_damping(Omega, A, slow_flow_friction(mu), zeta);
 }
 
 /* F as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
    Equation (24). Domain: A > 0. */
-KERNEL void OF(response_quartic)(double A, double F_0, double mu, double zeta, const double *p, double *out)
-{
+KERNEL void OF(response_quartic)(double A, double F_0, double mu, double zeta, const double *p, double *out) {
     double average[2];
     OF(averaged_2)(A, p, average);
     slow_flow_response_quartic(A, F_0, slow_flow_friction(mu), zeta, average[0], out);
@@ -164,8 +146,7 @@ KERNEL void OF(response_quartic)(double A, double F_0, double mu, double zeta, c
 
 /* F_A/2 as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
    Equation (24), (30). Domain: A > 0. */
-KERNEL void OF(fold_quartic)(double A, double mu, double zeta, const double *p, double *out)
-{
+KERNEL void OF(fold_quartic)(double A, double mu, double zeta, const double *p, double *out) {
     double average[2];
     OF(averaged_2)(A, p, average);
     slow_flow_fold_quartic(A, slow_flow_friction(mu), zeta, average[0], average[1], out);
@@ -173,8 +154,7 @@ KERNEL void OF(fold_quartic)(double A, double mu, double zeta, const double *p, 
 
 /* F_Omega/(4 A) as a polynomial in Omega: coefficients of 1, Omega, Omega^3.
    Equation (34). Domain: A > 0. */
-KERNEL void OF(peak_cubic)(double A, double mu, double zeta, const double *p, double *out)
-{
+KERNEL void OF(peak_cubic)(double A, double mu, double zeta, const double *p, double *out) {
     double average[2];
     OF(averaged_2)(A, p, average);
     slow_flow_peak_cubic(A, slow_flow_friction(mu), zeta, average[0], out);
@@ -182,8 +162,7 @@ KERNEL void OF(peak_cubic)(double A, double mu, double zeta, const double *p, do
 
 /* Reduced resultant of F and F_Omega: coefficients of F_0^0, F_0^2, ...; its roots are candidates for F_cr.
    Equation (34). Domain: A > 0. */
-KERNEL void OF(detachment)(double A, double mu, double zeta, const double *p, double *out)
-{
+KERNEL void OF(detachment)(double A, double mu, double zeta, const double *p, double *out) {
     double average[2];
     OF(averaged_2)(A, p, average);
     slow_flow_detachment(A, slow_flow_friction(mu), zeta, average[0], out);

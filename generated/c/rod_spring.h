@@ -23,8 +23,7 @@ SF_FAMILY_BEGIN
 /* What averaged_passed_1_far_1, averaged_2_passed_1_far_1, averaged_H_passed_1_far_1, intercept_passed_1_far_1,
    by_parameter_passed_1_far_1 have in common. */
 SF_COMMON void rod_spring_common_1(double A, double u_cr, double *root_out, double *x_out, double *y_out,
-    double *M8_out, double *M6_out)
-{
+    double *M8_out, double *M6_out) {
     const double root = sqrt((A - u_cr) * (A + u_cr));
     const double t0 = 1.0 / A;
     const double x = t0 * u_cr;
@@ -57,8 +56,7 @@ SF_COMMON void rod_spring_common_1(double A, double u_cr, double *root_out, doub
 /* The outputs of harmonics_passed_1, harmonics_passed_1_far_1. */
 SF_COMMON void rod_spring_common_2(double A, double W3_3, double W3_5, double W5_3, double W5_5, double alpha,
     double beta, double gamma, double root, double u_cr, double x, double y, double *result_0, double *result_1,
-    double *result_2, double *result_3, double *result_4, double *result_5, double *result_6, double *result_7)
-{
+    double *result_2, double *result_3, double *result_4, double *result_5, double *result_6, double *result_7) {
     const double t0 = 1.0 / A;
     const double x2 = x * x;
     const double x3 = x * x2;
@@ -141,8 +139,7 @@ SF_COMMON void rod_spring_common_2(double A, double W3_3, double W3_5, double W5
 /* h, h_A, h_AA, h_AAA together.
    Equation (20)-(22), (31). Domain: A >= 0. Operations: 19 in passed_0, 116 in passed_1, 167 in passed_1_far_1.
    Error / u (1 + kappa): proved in passed_0 5.51, 4.51, 2.34, 1.51; measured 2.2. */
-SF_KERNEL void rod_spring_averaged_passed_0(double A, const double *p, double *out)
-{
+SF_KERNEL void rod_spring_averaged_passed_0(double A, const double *p, double *out) {
     const double alpha = p[0], beta = p[1], gamma = p[2];
     const double t0 = -alpha;
     const double t1 = A * A;
@@ -154,8 +151,7 @@ SF_KERNEL void rod_spring_averaged_passed_0(double A, const double *p, double *o
     out[3] = -37.5 * t2 - t3;
 }
 
-SF_KERNEL void rod_spring_averaged_passed_1(double A, const double *p, double *out)
-{
+SF_KERNEL void rod_spring_averaged_passed_1(double A, const double *p, double *out) {
     const double alpha = p[0], beta = p[1], gamma = p[2], u_cr = p[3];
     const double root = sqrt((A - u_cr) * (A + u_cr));
     const double t0 = 1.0 / A;
@@ -204,8 +200,7 @@ SF_KERNEL void rod_spring_averaged_passed_1(double A, const double *p, double *o
         + 6.0 * t13 * t21 - t14 + t15 * t19 * t9 + t16 * (2.0 * t9 + 3.0 / root2) + 3.0 * t19 * t21);
 }
 
-SF_KERNEL void rod_spring_averaged_passed_1_far_1(double A, const double *p, double *out)
-{
+SF_KERNEL void rod_spring_averaged_passed_1_far_1(double A, const double *p, double *out) {
     const double alpha = p[0], beta = p[1], gamma = p[2], u_cr = p[3];
     double root, x, y, M8, M6;
     rod_spring_common_1(A, u_cr, &root, &x, &y, &M8, &M6);
@@ -241,8 +236,7 @@ SF_KERNEL void rod_spring_averaged_passed_1_far_1(double A, const double *p, dou
         (z * (-t11 - 8.0) - 8.0)) / t2;
 }
 
-SF_KERNEL void rod_spring_averaged(double A, const double *p, double *out)
-{
+SF_KERNEL void rod_spring_averaged(double A, const double *p, double *out) {
     const double u_cr = p[3];
     if (A <= u_cr)
         rod_spring_averaged_passed_0(A, p, out);
@@ -255,8 +249,7 @@ SF_KERNEL void rod_spring_averaged(double A, const double *p, double *out)
 /* h, h_A together.
    Equation (20)-(22), (31). Domain: A >= 0. Operations: 13 in passed_0, 56 in passed_1, 117 in passed_1_far_1.
    Error / u (1 + kappa): proved in passed_0 5.51, 4.51; measured 1.6. */
-SF_KERNEL void rod_spring_averaged_2_passed_0(double A, const double *p, double *out)
-{
+SF_KERNEL void rod_spring_averaged_2_passed_0(double A, const double *p, double *out) {
     const double alpha = p[0], beta = p[1], gamma = p[2];
     const double t0 = -alpha;
     const double t1 = A * A;
@@ -265,8 +258,7 @@ SF_KERNEL void rod_spring_averaged_2_passed_0(double A, const double *p, double 
     out[1] = t0 + t1 * (-2.25 * beta - 3.125 * t2);
 }
 
-SF_KERNEL void rod_spring_averaged_2_passed_1(double A, const double *p, double *out)
-{
+SF_KERNEL void rod_spring_averaged_2_passed_1(double A, const double *p, double *out) {
     const double alpha = p[0], beta = p[1], gamma = p[2], u_cr = p[3];
     const double root = sqrt((A - u_cr) * (A + u_cr));
     const double t0 = 1.0 / A;
@@ -293,8 +285,7 @@ SF_KERNEL void rod_spring_averaged_2_passed_1(double A, const double *p, double 
         1.0) / (A2 * root));
 }
 
-SF_KERNEL void rod_spring_averaged_2_passed_1_far_1(double A, const double *p, double *out)
-{
+SF_KERNEL void rod_spring_averaged_2_passed_1_far_1(double A, const double *p, double *out) {
     const double alpha = p[0], beta = p[1], gamma = p[2], u_cr = p[3];
     double root, x, y, M8, M6;
     rod_spring_common_1(A, u_cr, &root, &x, &y, &M8, &M6);
@@ -316,8 +307,7 @@ SF_KERNEL void rod_spring_averaged_2_passed_1_far_1(double A, const double *p, d
         (-0.7142857142857143 * x2 - 0.2857142857142857)))) - 1.0;
 }
 
-SF_KERNEL void rod_spring_averaged_2(double A, const double *p, double *out)
-{
+SF_KERNEL void rod_spring_averaged_2(double A, const double *p, double *out) {
     const double u_cr = p[3];
     if (A <= u_cr)
         rod_spring_averaged_2_passed_0(A, p, out);
@@ -330,8 +320,7 @@ SF_KERNEL void rod_spring_averaged_2(double A, const double *p, double *out)
 /* H, H_A together.
    Equation (20)-(22), (31). Domain: A >= 0. Operations: 14 in passed_0, 52 in passed_1, 115 in passed_1_far_1.
    Error / u (1 + kappa): proved in passed_0 7.67, 6.34; measured 3. */
-SF_KERNEL void rod_spring_averaged_H_passed_0(double A, const double *p, double *out)
-{
+SF_KERNEL void rod_spring_averaged_H_passed_0(double A, const double *p, double *out) {
     const double alpha = p[0], beta = p[1], gamma = p[2];
     const double t0 = A * A;
     const double t1 = gamma * t0;
@@ -340,8 +329,7 @@ SF_KERNEL void rod_spring_averaged_H_passed_0(double A, const double *p, double 
     out[1] = t0 * (-2.25 * beta - 3.125 * t1) + t2;
 }
 
-SF_KERNEL void rod_spring_averaged_H_passed_1(double A, const double *p, double *out)
-{
+SF_KERNEL void rod_spring_averaged_H_passed_1(double A, const double *p, double *out) {
     const double alpha = p[0], beta = p[1], gamma = p[2], u_cr = p[3];
     const double root = sqrt((A - u_cr) * (A + u_cr));
     const double t0 = 1.0 / A;
@@ -366,8 +354,7 @@ SF_KERNEL void rod_spring_averaged_H_passed_1(double A, const double *p, double 
         * root));
 }
 
-SF_KERNEL void rod_spring_averaged_H_passed_1_far_1(double A, const double *p, double *out)
-{
+SF_KERNEL void rod_spring_averaged_H_passed_1_far_1(double A, const double *p, double *out) {
     const double alpha = p[0], beta = p[1], gamma = p[2], u_cr = p[3];
     double root, x, y, M8, M6;
     rod_spring_common_1(A, u_cr, &root, &x, &y, &M8, &M6);
@@ -389,8 +376,7 @@ SF_KERNEL void rod_spring_averaged_H_passed_1_far_1(double A, const double *p, d
         (-0.7142857142857143 * x2 - 0.2857142857142857))));
 }
 
-SF_KERNEL void rod_spring_averaged_H(double A, const double *p, double *out)
-{
+SF_KERNEL void rod_spring_averaged_H(double A, const double *p, double *out) {
     const double u_cr = p[3];
     if (A <= u_cr)
         rod_spring_averaged_H_passed_0(A, p, out);
@@ -403,15 +389,13 @@ SF_KERNEL void rod_spring_averaged_H(double A, const double *p, double *out)
 /* h - A h_A, where the tangent of h meets A = 0; linear terms are none.
    Equation (20)-(22), (31). Domain: A >= 0. Operations: 7 in passed_0, 45 in passed_1, 99 in passed_1_far_1. Error
    / u (1 + kappa): proved in passed_0 4.61; measured 3. */
-SF_KERNEL double rod_spring_intercept_passed_0(double A, double alpha, double beta, double gamma, double u_cr)
-{
+SF_KERNEL double rod_spring_intercept_passed_0(double A, double alpha, double beta, double gamma, double u_cr) {
     const double A2 = A * A;
     const double A3 = A * A2;
     return A3 * (2.5 * A2 * gamma + 1.5 * beta);
 }
 
-SF_KERNEL double rod_spring_intercept_passed_1(double A, double alpha, double beta, double gamma, double u_cr)
-{
+SF_KERNEL double rod_spring_intercept_passed_1(double A, double alpha, double beta, double gamma, double u_cr) {
     const double root = sqrt((A - u_cr) * (A + u_cr));
     const double t0 = 1.0 / A;
     const double x = t0 * u_cr;
@@ -431,8 +415,7 @@ SF_KERNEL double rod_spring_intercept_passed_1(double A, double alpha, double be
         (beta + gamma * u_cr2) - 1.0) / root);
 }
 
-SF_KERNEL double rod_spring_intercept_passed_1_far_1(double A, double alpha, double beta, double gamma, double u_cr)
-{
+SF_KERNEL double rod_spring_intercept_passed_1_far_1(double A, double alpha, double beta, double gamma, double u_cr) {
     double root, x, y, M8, M6;
     rod_spring_common_1(A, u_cr, &root, &x, &y, &M8, &M6);
     const double x2 = x * x;
@@ -448,8 +431,7 @@ SF_KERNEL double rod_spring_intercept_passed_1_far_1(double A, double alpha, dou
         (0.5714285714285714 * x2 + 0.42857142857142855))));
 }
 
-SF_KERNEL double rod_spring_intercept(double A, double alpha, double beta, double gamma, double u_cr)
-{
+SF_KERNEL double rod_spring_intercept(double A, double alpha, double beta, double gamma, double u_cr) {
     if (A <= u_cr)
         return rod_spring_intercept_passed_0(A, alpha, beta, gamma, u_cr);
     else if (A <= 1.05 * u_cr)
@@ -461,8 +443,7 @@ SF_KERNEL double rod_spring_intercept(double A, double alpha, double beta, doubl
 /* Higher harmonics of the force, as h is its first: h_3, h_3_A, h_3_AA, h_3_AAA, h_5, h_5_A, h_5_AA, h_5_AAA.
    Equation beyond (20). Domain: A >= 0. Operations: 26 in passed_0, 278 in passed_1, 331 in passed_1_far_1. Error /
    u (1 + kappa): proved in passed_0 4.11, 3.51, 2.34, 1.51, 0.72, 0.84, 0.81, 0.76; measured 3.8. */
-SF_KERNEL void rod_spring_harmonics_passed_0(double A, const double *p, double *out)
-{
+SF_KERNEL void rod_spring_harmonics_passed_0(double A, const double *p, double *out) {
     const double beta = p[1], gamma = p[2];
     const double A2 = A * A;
     const double A3 = A * A2;
@@ -480,8 +461,7 @@ SF_KERNEL void rod_spring_harmonics_passed_0(double A, const double *p, double *
     out[7] = -3.75 * t0;
 }
 
-SF_KERNEL void rod_spring_harmonics_passed_1(double A, const double *p, double *out)
-{
+SF_KERNEL void rod_spring_harmonics_passed_1(double A, const double *p, double *out) {
     const double alpha = p[0], beta = p[1], gamma = p[2], u_cr = p[3];
     const double root = sqrt((A - u_cr) * (A + u_cr));
     const double t0 = 1.0 / A;
@@ -502,8 +482,7 @@ SF_KERNEL void rod_spring_harmonics_passed_1(double A, const double *p, double *
         &out[3], &out[4], &out[5], &out[6], &out[7]);
 }
 
-SF_KERNEL void rod_spring_harmonics_passed_1_far_1(double A, const double *p, double *out)
-{
+SF_KERNEL void rod_spring_harmonics_passed_1_far_1(double A, const double *p, double *out) {
     const double alpha = p[0], beta = p[1], gamma = p[2], u_cr = p[3];
     const double root = sqrt((A - u_cr) * (A + u_cr));
     const double t0 = 1.0 / A;
@@ -542,8 +521,7 @@ SF_KERNEL void rod_spring_harmonics_passed_1_far_1(double A, const double *p, do
         &out[3], &out[4], &out[5], &out[6], &out[7]);
 }
 
-SF_KERNEL void rod_spring_harmonics(double A, const double *p, double *out)
-{
+SF_KERNEL void rod_spring_harmonics(double A, const double *p, double *out) {
     const double u_cr = p[3];
     if (A <= u_cr)
         rod_spring_harmonics_passed_0(A, p, out);
@@ -556,8 +534,7 @@ SF_KERNEL void rod_spring_harmonics(double A, const double *p, double *out)
 /* d/dp of h, h_A and h_AA at a fixed A, for each parameter p in turn.
    Equation from (20)-(22), (31). Domain: A > 0. Operations: 10 in passed_0, 109 in passed_1, 159 in passed_1_far_1.
    Error / u (1 + kappa): proved in passed_0 0.84 at most. */
-SF_KERNEL void rod_spring_by_parameter_passed_0(double A, double h, double h_A, double h_AA, const double *p, double *out)
-{
+SF_KERNEL void rod_spring_by_parameter_passed_0(double A, double h, double h_A, double h_AA, const double *p, double *out) {
     const double A2 = A * A;
     const double A3 = A * A2;
     const double A4 = A2 * A2;
@@ -574,8 +551,7 @@ SF_KERNEL void rod_spring_by_parameter_passed_0(double A, double h, double h_A, 
     out[8] = -12.5 * A3;
 }
 
-SF_KERNEL void rod_spring_by_parameter_passed_1(double A, double h, double h_A, double h_AA, const double *p, double *out)
-{
+SF_KERNEL void rod_spring_by_parameter_passed_1(double A, double h, double h_A, double h_AA, const double *p, double *out) {
     const double alpha = p[0], beta = p[1], gamma = p[2], u_cr = p[3];
     const double root = sqrt((A - u_cr) * (A + u_cr));
     const double t0 = 1.0 / A;
@@ -621,8 +597,7 @@ SF_KERNEL void rod_spring_by_parameter_passed_1(double A, double h, double h_A, 
     out[11] = -t5 * t8 * (A2 * root2 + 3.0 * A4 + 2.0 * root4) / root5;
 }
 
-SF_KERNEL void rod_spring_by_parameter_passed_1_far_1(double A, double h, double h_A, double h_AA, const double *p, double *out)
-{
+SF_KERNEL void rod_spring_by_parameter_passed_1_far_1(double A, double h, double h_A, double h_AA, const double *p, double *out) {
     const double alpha = p[0], beta = p[1], gamma = p[2], u_cr = p[3];
     double root, x, y, M8, M6;
     rod_spring_common_1(A, u_cr, &root, &x, &y, &M8, &M6);
@@ -671,8 +646,7 @@ SF_KERNEL void rod_spring_by_parameter_passed_1_far_1(double A, double h, double
     out[11] = -t9 * (A2 * root2 + 3.0 * A4 + 2.0 * root4) / (A3 * root5);
 }
 
-SF_KERNEL void rod_spring_by_parameter(double A, double h, double h_A, double h_AA, const double *p, double *out)
-{
+SF_KERNEL void rod_spring_by_parameter(double A, double h, double h_A, double h_AA, const double *p, double *out) {
     const double u_cr = p[3];
     if (A <= u_cr)
         rod_spring_by_parameter_passed_0(A, h, h_A, h_AA, p, out);
@@ -684,8 +658,7 @@ SF_KERNEL void rod_spring_by_parameter(double A, double h, double h_A, double h_
 
 /* d/d of each number of the design: of each parameter in turn, then of each breakpoint.
    Equation (5), (7). Domain: any design that has a breakpoint. Operations: 17. */
-SF_KERNEL void rod_spring_by_design(double lam, double r, double delta_h, double *out)
-{
+SF_KERNEL void rod_spring_by_design(double lam, double r, double delta_h, double *out) {
     const double t0 = lam * r;
     const double t1 = delta_h - 1.0;
     const double t2 = 0.5 * t1;
@@ -709,8 +682,7 @@ SF_KERNEL void rod_spring_by_design(double lam, double r, double delta_h, double
 /* The parameters alpha, beta, gamma, u_cr from the design.
    Equation (5), (7). Domain: any design. Operations: 11. Error / u (1 + kappa): proved 1.34, 6.01, 8.01, -;
    measured 2. */
-SF_KERNEL void rod_spring_coefficients(double lam, double r, double delta_h, double *out)
-{
+SF_KERNEL void rod_spring_coefficients(double lam, double r, double delta_h, double *out) {
     const double t0 = lam * r;
     const double t1 = t0 * (delta_h - 1.0);
     out[0] = -delta_h * t0 + 1.0;
@@ -721,16 +693,14 @@ SF_KERNEL void rod_spring_coefficients(double lam, double r, double delta_h, dou
 
 /* The |u| at which a piece of the force ends.
    Equation (5). Domain: any parameters. Operations: 0. Error / u (1 + kappa): proved 0.0. */
-SF_KERNEL void rod_spring_breakpoints(const double *p, double *out)
-{
+SF_KERNEL void rod_spring_breakpoints(const double *p, double *out) {
     const double u_cr = p[3];
     out[0] = u_cr;
 }
 
 /* What the force loses at each breakpoint: f below less f above.
    Equation (6). Domain: any parameters. Operations: 7. Error / u (1 + kappa): proved 7.67. */
-SF_KERNEL void rod_spring_jumps(const double *p, double *out)
-{
+SF_KERNEL void rod_spring_jumps(const double *p, double *out) {
     const double alpha = p[0], beta = p[1], gamma = p[2], u_cr = p[3];
     const double t0 = u_cr * u_cr;
     out[0] = u_cr * (alpha + t0 * (beta + gamma * t0) - 1.0);
@@ -738,8 +708,7 @@ SF_KERNEL void rod_spring_jumps(const double *p, double *out)
 
 /* The force over the displacement, f(u)/u, rises with |u| where none of these is negative.
    Equation from (3). Domain: any parameters. Operations: 7. Error / u (1 + kappa): proved 0.0, 0.0, 7.67. */
-SF_KERNEL void rod_spring_hardening(const double *p, double *out)
-{
+SF_KERNEL void rod_spring_hardening(const double *p, double *out) {
     const double alpha = p[0], beta = p[1], gamma = p[2], u_cr = p[3];
     const double t0 = u_cr * u_cr;
     out[0] = beta;
@@ -749,8 +718,7 @@ SF_KERNEL void rod_spring_hardening(const double *p, double *out)
 
 /* f and its derivatives just above 0, their gains at each breakpoint, and the last piece's by its formula at 0.
    Equation (3), (5). Domain: any parameters. Operations: 21. Error / u (1 + kappa): proved 7.67 at most. */
-SF_KERNEL void rod_spring_steps(const double *p, double *out)
-{
+SF_KERNEL void rod_spring_steps(const double *p, double *out) {
     const double alpha = p[0], beta = p[1], gamma = p[2], u_cr = p[3];
     const double t0 = 6.0 * beta;
     const double t1 = 120.0 * gamma;
@@ -772,8 +740,7 @@ SF_KERNEL void rod_spring_steps(const double *p, double *out)
 
 /* What each parameter does to derivatives of each piece at u = 0, then to their gains at each breakpoint.
    Equation (3). Domain: any parameters. Operations: 10. Error / u (1 + kappa): proved 0.81 at most. */
-SF_KERNEL void rod_spring_steps_by(const double *p, double *out)
-{
+SF_KERNEL void rod_spring_steps_by(const double *p, double *out) {
     const double u_cr = p[3];
     const double u_cr2 = u_cr * u_cr;
     const double u_cr3 = u_cr * u_cr2;
@@ -800,38 +767,33 @@ SF_KERNEL void rod_spring_steps_by(const double *p, double *out)
 
 /* Piece 1 of the whole restoring force u + F_k(u).
    Equation (3), (6). Domain: where it holds. Operations: 6. Error / u (1 + kappa): proved 4.76. */
-SF_KERNEL double rod_spring_force_1(double u, double alpha, double beta, double gamma, double u_cr)
-{
+SF_KERNEL double rod_spring_force_1(double u, double alpha, double beta, double gamma, double u_cr) {
     const double t0 = u * u;
     return u * (alpha + t0 * (beta + gamma * t0));
 }
 
 /* d/du of piece 1 of the whole restoring force u + F_k(u).
    Equation (3), (6). Domain: where it holds. Operations: 7. Error / u (1 + kappa): proved 4.51. */
-SF_KERNEL double rod_spring_force_1_u(double u, double alpha, double beta, double gamma, double u_cr)
-{
+SF_KERNEL double rod_spring_force_1_u(double u, double alpha, double beta, double gamma, double u_cr) {
     const double t0 = u * u;
     return alpha + t0 * (3.0 * beta + 5.0 * gamma * t0);
 }
 
 /* Piece 2 of the whole restoring force u + F_k(u).
    Equation (3), (6). Domain: where it holds. Operations: 0. Error / u (1 + kappa): proved 0.0. */
-SF_KERNEL double rod_spring_force_2(double u, double alpha, double beta, double gamma, double u_cr)
-{
+SF_KERNEL double rod_spring_force_2(double u, double alpha, double beta, double gamma, double u_cr) {
     return u;
 }
 
 /* d/du of piece 2 of the whole restoring force u + F_k(u).
    Equation (3), (6). Domain: where it holds. Operations: 0. Error / u (1 + kappa): proved 0.0. */
-SF_KERNEL double rod_spring_force_2_u(double u, double alpha, double beta, double gamma, double u_cr)
-{
+SF_KERNEL double rod_spring_force_2_u(double u, double alpha, double beta, double gamma, double u_cr) {
     return 1.0;
 }
 
 /* Whole dimensionless restoring force u + F_k(u), truncated.
    Equation (3), (6). Domain: any u. */
-SF_KERNEL double rod_spring_force(double u, double alpha, double beta, double gamma, double u_cr)
-{
+SF_KERNEL double rod_spring_force(double u, double alpha, double beta, double gamma, double u_cr) {
     if (fabs(u) <= u_cr)
         return rod_spring_force_1(u, alpha, beta, gamma, u_cr);
     else
@@ -842,8 +804,7 @@ SF_KERNEL double rod_spring_force(double u, double alpha, double beta, double ga
    Equation (33). Domain: roots with 0 < A <= u_cr. Operations: 238. Error / u (1 + kappa): proved 0.82, 0.91, 6.01,
    4.01, 8.17, -, -, -, -, -, -, -, -, -, -, 4.8, 5.04, 0.89, 0.89; measured 4.2. */
 #define ROD_SPRING_SADDLE_NODE_ONSET_COUNT 19
-SF_KERNEL void rod_spring_saddle_node_onset(double m, double zeta, const double *p, double *out)
-{
+SF_KERNEL void rod_spring_saddle_node_onset(double m, double zeta, const double *p, double *out) {
     const double alpha = p[0], beta = p[1], gamma = p[2];
     const double t0 = alpha * alpha;
     const double zeta2 = zeta * zeta;
@@ -916,8 +877,7 @@ SF_KERNEL void rod_spring_saddle_node_onset(double m, double zeta, const double 
 /* Reduced resultant of F and F_A: coefficients of A^0, A^2, ...; its roots are candidates for folds.
    Equation from (24), (30). Domain: roots with 0 < A <= u_cr. Operations: 355. Error / u (1 + kappa): measured 1.9. */
 #define ROD_SPRING_SADDLE_NODES_COUNT 17
-SF_KERNEL void rod_spring_saddle_nodes(double F_0, double m, double zeta, const double *p, double *out)
-{
+SF_KERNEL void rod_spring_saddle_nodes(double F_0, double m, double zeta, const double *p, double *out) {
     const double alpha = p[0], beta = p[1], gamma = p[2];
     const double excess = (F_0 - m) * (F_0 + m);
     const double m2 = m * m;

@@ -139,8 +139,7 @@ static const double rod_spring_untruncated_nodes_5[][4] = {
 };
 
 /* The term of int sin^2 at a node. */
-SF_COMMON void rod_spring_untruncated_arc_node(const double *row, double T2, double *W)
-{
+SF_COMMON void rod_spring_untruncated_arc_node(const double *row, double T2, double *W) {
     const double X2 = row[0], K2 = row[1];
     const double g = 1.0 / (T2 * X2 + 1.0);
     const double g2 = g * g;
@@ -149,8 +148,7 @@ SF_COMMON void rod_spring_untruncated_arc_node(const double *row, double T2, dou
 }
 
 /* Duplications of the arguments of R_D, and the sum of what they take off over 3, as Taylor series. */
-SF_COMMON void rod_spring_untruncated_duplication(int turns, double *state)
-{
+SF_COMMON void rod_spring_untruncated_duplication(int turns, double *state) {
     SF_UNROLLED
     for (int turn = 0; turn < turns; turn++) {
         const double x_0 = state[0], x_1 = state[1], x_2 = state[2], x_3 = state[3], y_0 = state[4], y_1 = state[5],
@@ -223,8 +221,7 @@ SF_COMMON void rod_spring_untruncated_duplication(int turns, double *state)
 /* R_D of arguments that are nearly equal, as a Taylor series. */
 SF_COMMON void rod_spring_untruncated_remainder(double x_0, double x_1, double x_2, double x_3, double y_0,
     double y_1, double y_2, double y_3, double z_0, double z_1, double z_2, double z_3, double *last_0,
-    double *last_1, double *last_2, double *last_3)
-{
+    double *last_1, double *last_2, double *last_3) {
     const double mean_0 = 0.20000000000000001 * x_0 + 0.20000000000000001 * y_0 + 0.59999999999999998 * z_0;
     const double mean_1 = 0.20000000000000001 * x_1 + 0.20000000000000001 * y_1 + 0.59999999999999998 * z_1;
     const double mean_2 = 0.20000000000000001 * x_2 + 0.20000000000000001 * y_2 + 0.59999999999999998 * z_2;
@@ -309,8 +306,7 @@ SF_COMMON void rod_spring_untruncated_remainder(double x_0, double x_1, double x
 /* R_D by what one duplication has made of its arguments and has taken off, as a Taylor series. */
 SF_COMMON void rod_spring_untruncated_duplications(double X0_0, double X0_1, double X0_2, double X0_3, double Y0_0,
     double Y0_1, double Y0_2, double Y0_3, double Z0_0, double Z0_1, double Z0_2, double Z0_3, double term0_0,
-    double term0_1, double term0_2, double term0_3, double *R_0, double *R_1, double *R_2, double *R_3)
-{
+    double term0_1, double term0_2, double term0_3, double *R_0, double *R_1, double *R_2, double *R_3) {
     double duplication[] = {X0_0, X0_1, X0_2, X0_3, Y0_0, Y0_1, Y0_2, Y0_3, Z0_0, Z0_1, Z0_2, Z0_3, term0_0,
         term0_1, term0_2, term0_3};
     rod_spring_untruncated_duplication(5, duplication);
@@ -329,8 +325,7 @@ SF_COMMON void rod_spring_untruncated_duplications(double X0_0, double X0_1, dou
 
 /* What averaged_all_passed_1_steep_far, averaged_all_passed_1_steep_away have in common. */
 SF_COMMON void rod_spring_untruncated_common_1(double A, double delta_h, double *u_cr_out, double *c_out,
-    double *root_out, double *V2_out, double *V4_out, double *V6_out, double *V8_out)
-{
+    double *root_out, double *V2_out, double *V4_out, double *V6_out, double *V8_out) {
     const double u_cr = sqrt(-delta_h * delta_h + 2.0 * delta_h);
     const double c = 1.0 - delta_h;
     const double c2 = c * c;
@@ -385,8 +380,7 @@ SF_COMMON void rod_spring_untruncated_common_1(double A, double delta_h, double 
 /* The outputs of averaged_all_passed_1, averaged_all_passed_1_steeper. */
 SF_COMMON void rod_spring_untruncated_common_2(double A, double T, double beta, double c, double root, double sum_0,
     double sum_1, double sum_2, double sum_3, double u_cr, double *result_0, double *result_1, double *result_2,
-    double *result_3, double *result_4, double *result_5, double *result_6)
-{
+    double *result_3, double *result_4, double *result_5, double *result_6) {
     const double t0 = T * T;
     const double A2 = A * A;
     const double u_cr2 = u_cr * u_cr;
@@ -415,8 +409,7 @@ SF_COMMON void rod_spring_untruncated_common_2(double A, double T, double beta, 
 
 /* Terms of int sin^2 tan^(2n) (1/c - 1/Delta) at a node, by n. */
 SF_COMMON void rod_spring_untruncated_far_node(const double *row, double c, double T2, double U2, double *W,
-    double *Wq, double *Wq_2, double *Wq_3)
-{
+    double *Wq, double *Wq_2, double *Wq_3) {
     const double x = row[0], X2 = row[1], less = row[2], both = row[3], K = row[4];
     const double g = 1.0 / (T2 * X2 + 1.0);
     const double v2 = X2 * g * g;
@@ -437,8 +430,7 @@ SF_COMMON void rod_spring_untruncated_far_node(const double *row, double c, doub
 /* Terms of int g^(j)(A s) s^j T_n dt at a node, by n, then by j. */
 SF_COMMON void rod_spring_untruncated_harmonic_node(const double *row, double T, double T2, double c, double A,
     double u_cr, double *sum_3_0, double *sum_3_1, double *sum_3_2, double *sum_3_3, double *sum_5_0,
-    double *sum_5_1, double *sum_5_2, double *sum_5_3)
-{
+    double *sum_5_1, double *sum_5_2, double *sum_5_3) {
     const double x = row[0], x2 = row[1], less = row[2], weight = row[3];
     const double g = 1.0 / (T2 * x2 + 1.0);
     const double s = 2.0 * T * g * x;
@@ -466,8 +458,7 @@ SF_COMMON void rod_spring_untruncated_harmonic_node(const double *row, double T,
 }
 
 /* Steps of the arithmetic-geometric mean, with the sum of its differences and that of their squares by weight. */
-SF_COMMON void rod_spring_untruncated_means(double quarter, int turns, double *state)
-{
+SF_COMMON void rod_spring_untruncated_means(double quarter, int turns, double *state) {
     SF_UNROLLED
     for (int turn = 0; turn < turns; turn++) {
         const double a = state[0], b = state[1], e = state[2], total = state[3], squares = state[4];
@@ -484,8 +475,7 @@ SF_COMMON void rod_spring_untruncated_means(double quarter, int turns, double *s
 /* Terms of int f^(n + j)(A s) s^j cos^(2n) t dt at a point, by n, then by j. */
 SF_COMMON void rod_spring_untruncated_midpoint(const double *row, double A, double *moment_3_0, double *moment_3_1,
     double *moment_3_2, double *moment_3_3, double *moment_5_0, double *moment_5_1, double *moment_5_2,
-    double *moment_5_3)
-{
+    double *moment_5_3) {
     const double s = row[0], cosine = row[1];
     const double v = A * s;
     const double delta = sqrt(1.0 - v) * sqrt(v + 1.0);
@@ -526,8 +516,7 @@ SF_COMMON void rod_spring_untruncated_midpoint(const double *row, double A, doub
 
 /* Terms of int sin^2 (1/c - 1/Delta), sin^4/Delta^3, sin^4/Delta^5, sin^4 (1 + 4 u^2)/Delta^7 at a node. */
 SF_COMMON void rod_spring_untruncated_near_node(const double *row, double c, double T2, double U2, double *W,
-    double *V3, double *V5, double *V7)
-{
+    double *V3, double *V5, double *V7) {
     const double x = row[0], X2 = row[1], less = row[2], both = row[3], K = row[4];
     const double g = 1.0 / (T2 * X2 + 1.0);
     const double v2 = X2 * g * g;
@@ -543,8 +532,7 @@ SF_COMMON void rod_spring_untruncated_near_node(const double *row, double c, dou
 
 /* Terms of int sin^2 tan^(2n) at a node, by n. */
 SF_COMMON void rod_spring_untruncated_tangent_node(const double *row, double T2, double *W, double *Wq,
-    double *Wq_2, double *Wq_3)
-{
+    double *Wq_2, double *Wq_3) {
     const double X2 = row[0], K2 = row[1];
     const double g = 1.0 / (T2 * X2 + 1.0);
     const double g2 = g * g;
@@ -564,8 +552,7 @@ SF_COMMON void rod_spring_untruncated_tangent_node(const double *row, double T2,
    Equation (20)-(22), (31). Domain: A >= 0. Operations: 162 in passed_0_end, 97 in passed_0, 153 in passed_0_steep,
    655 in passed_1_far, 615 in passed_1, 988 in passed_1_steeper_far, 944 in passed_1_steeper, 1673 in
    passed_1_steep_far, 1357 in passed_1_steep_away, 1444 in passed_1_steep. Error / u (1 + kappa): measured 3.8. */
-SF_KERNEL void rod_spring_untruncated_averaged_all_passed_0_end(double A, const double *p, double *out)
-{
+SF_KERNEL void rod_spring_untruncated_averaged_all_passed_0_end(double A, const double *p, double *out) {
     const double alpha = p[0], beta = p[1], delta_h = p[2];
     const double m = A * A;
     const double k_c = 1.0 - delta_h;
@@ -604,8 +591,7 @@ SF_KERNEL void rod_spring_untruncated_averaged_all_passed_0_end(double A, const 
     out[6] = 4.0 * A * beta * m * (-0.5 * C + 0.5 * t5);
 }
 
-SF_KERNEL void rod_spring_untruncated_averaged_all_passed_0(double A, const double *p, double *out)
-{
+SF_KERNEL void rod_spring_untruncated_averaged_all_passed_0(double A, const double *p, double *out) {
     const double alpha = p[0], beta = p[1];
     const double m = A * A;
     const double t0 = 1.0 - m;
@@ -644,8 +630,7 @@ SF_KERNEL void rod_spring_untruncated_averaged_all_passed_0(double A, const doub
     out[6] = 4.0 * A * beta * m * (-0.5 * C + 0.5 * t6);
 }
 
-SF_KERNEL void rod_spring_untruncated_averaged_all_passed_0_steep(double A, const double *p, double *out)
-{
+SF_KERNEL void rod_spring_untruncated_averaged_all_passed_0_steep(double A, const double *p, double *out) {
     const double alpha = p[0], beta = p[1];
     const double m = A * A;
     const double t0 = A + 1.0;
@@ -686,8 +671,7 @@ SF_KERNEL void rod_spring_untruncated_averaged_all_passed_0_steep(double A, cons
     out[6] = 4.0 * A * beta * m * (-0.5 * C + 0.5 * t7);
 }
 
-SF_KERNEL void rod_spring_untruncated_averaged_all_passed_1_far(double A, const double *p, double *out)
-{
+SF_KERNEL void rod_spring_untruncated_averaged_all_passed_1_far(double A, const double *p, double *out) {
     const double beta = p[1], delta_h = p[2];
     const double u_cr = sqrt(-delta_h * delta_h + 2.0 * delta_h);
     const double c = 1.0 - delta_h;
@@ -714,8 +698,7 @@ SF_KERNEL void rod_spring_untruncated_averaged_all_passed_1_far(double A, const 
     out[6] = 2.5464790894703255 * A * beta * (24.0 * T3 * sum_0 * u_cr2 / c + 8.0 * T3 * sum_1 * u_cr2 / c);
 }
 
-SF_KERNEL void rod_spring_untruncated_averaged_all_passed_1(double A, const double *p, double *out)
-{
+SF_KERNEL void rod_spring_untruncated_averaged_all_passed_1(double A, const double *p, double *out) {
     const double beta = p[1], delta_h = p[2];
     const double u_cr = sqrt(-delta_h * delta_h + 2.0 * delta_h);
     const double c = 1.0 - delta_h;
@@ -733,8 +716,7 @@ SF_KERNEL void rod_spring_untruncated_averaged_all_passed_1(double A, const doub
         &out[2], &out[3], &out[4], &out[5], &out[6]);
 }
 
-SF_KERNEL void rod_spring_untruncated_averaged_all_passed_1_steeper_far(double A, const double *p, double *out)
-{
+SF_KERNEL void rod_spring_untruncated_averaged_all_passed_1_steeper_far(double A, const double *p, double *out) {
     const double beta = p[1], delta_h = p[2];
     const double u_cr = sqrt(-delta_h * delta_h + 2.0 * delta_h);
     const double c = 1.0 - delta_h;
@@ -761,8 +743,7 @@ SF_KERNEL void rod_spring_untruncated_averaged_all_passed_1_steeper_far(double A
     out[6] = 2.5464790894703255 * A * beta * (24.0 * T3 * sum_0 * u_cr2 / c + 8.0 * T3 * sum_1 * u_cr2 / c);
 }
 
-SF_KERNEL void rod_spring_untruncated_averaged_all_passed_1_steeper(double A, const double *p, double *out)
-{
+SF_KERNEL void rod_spring_untruncated_averaged_all_passed_1_steeper(double A, const double *p, double *out) {
     const double beta = p[1], delta_h = p[2];
     const double u_cr = sqrt(-delta_h * delta_h + 2.0 * delta_h);
     const double c = 1.0 - delta_h;
@@ -783,8 +764,7 @@ SF_KERNEL void rod_spring_untruncated_averaged_all_passed_1_steeper(double A, co
         &out[2], &out[3], &out[4], &out[5], &out[6]);
 }
 
-SF_KERNEL void rod_spring_untruncated_averaged_all_passed_1_steep_far(double A, const double *p, double *out)
-{
+SF_KERNEL void rod_spring_untruncated_averaged_all_passed_1_steep_far(double A, const double *p, double *out) {
     const double beta = p[1], delta_h = p[2];
     double u_cr, c, root, V2, V4, V6, V8;
     rod_spring_untruncated_common_1(A, delta_h, &u_cr, &c, &root, &V2, &V4, &V6, &V8);
@@ -807,8 +787,7 @@ SF_KERNEL void rod_spring_untruncated_averaged_all_passed_1_steep_far(double A, 
     out[6] = 2.5464790894703255 * A * beta * (24.0 * T3 * sum_0 / c + 8.0 * T3 * sum_1 / c - 3.0 * V2 - V4);
 }
 
-SF_KERNEL void rod_spring_untruncated_averaged_all_passed_1_steep_away(double A, const double *p, double *out)
-{
+SF_KERNEL void rod_spring_untruncated_averaged_all_passed_1_steep_away(double A, const double *p, double *out) {
     const double beta = p[1], delta_h = p[2];
     double u_cr, c, root, V2, V4, V6, V8;
     rod_spring_untruncated_common_1(A, delta_h, &u_cr, &c, &root, &V2, &V4, &V6, &V8);
@@ -837,8 +816,7 @@ SF_KERNEL void rod_spring_untruncated_averaged_all_passed_1_steep_away(double A,
     out[6] = 2.5464790894703255 * A * beta * (-3.0 * V2 - V4 + 3.0 * sum_0 / c + sum_1 / c);
 }
 
-SF_KERNEL void rod_spring_untruncated_averaged_all_passed_1_steep(double A, const double *p, double *out)
-{
+SF_KERNEL void rod_spring_untruncated_averaged_all_passed_1_steep(double A, const double *p, double *out) {
     const double beta = p[1], delta_h = p[2];
     const double u_cr = sqrt(-delta_h * delta_h + 2.0 * delta_h);
     const double c = 1.0 - delta_h;
@@ -909,8 +887,7 @@ SF_KERNEL void rod_spring_untruncated_averaged_all_passed_1_steep(double A, cons
     out[6] = 2.5464790894703255 * A3 * V4 * beta;
 }
 
-SF_KERNEL void rod_spring_untruncated_averaged_all(double A, const double *p, double *out)
-{
+SF_KERNEL void rod_spring_untruncated_averaged_all(double A, const double *p, double *out) {
     const double delta_h = p[2];
     if ((A <= sqrt(-delta_h * delta_h + 2.0 * delta_h)) && (sqrt(-delta_h * delta_h + 2.0 * delta_h) <= A))
         rod_spring_untruncated_averaged_all_passed_0_end(A, p, out);
@@ -937,8 +914,7 @@ SF_KERNEL void rod_spring_untruncated_averaged_all(double A, const double *p, do
 /* Higher harmonics of the force, as h is its first: h_3, h_3_A, h_3_AA, h_3_AAA, h_5, h_5_A, h_5_AA, h_5_AAA.
    Equation beyond (20). Domain: A >= 0, u_cr <= 3/4. Operations: 1995 in passed_0, 2537 in passed_1. Error / u (1 +
    kappa): measured 5.9. */
-SF_KERNEL void rod_spring_untruncated_harmonics_passed_0(double A, const double *p, double *out)
-{
+SF_KERNEL void rod_spring_untruncated_harmonics_passed_0(double A, const double *p, double *out) {
     const double beta = p[1];
     double moment_3_0 = 0.0, moment_3_1 = 0.0, moment_3_2 = 0.0, moment_3_3 = 0.0, moment_5_0 = 0.0, moment_5_1 =
         0.0, moment_5_2 = 0.0, moment_5_3 = 0.0;
@@ -962,8 +938,7 @@ SF_KERNEL void rod_spring_untruncated_harmonics_passed_0(double A, const double 
         moment_5_2 + A5 * moment_5_3);
 }
 
-SF_KERNEL void rod_spring_untruncated_harmonics_passed_1(double A, const double *p, double *out)
-{
+SF_KERNEL void rod_spring_untruncated_harmonics_passed_1(double A, const double *p, double *out) {
     const double beta = p[1], delta_h = p[2];
     const double u_cr = sqrt(-delta_h * delta_h + 2.0 * delta_h);
     const double c = 1.0 - delta_h;
@@ -1009,8 +984,7 @@ SF_KERNEL void rod_spring_untruncated_harmonics_passed_1(double A, const double 
         * root) - 4.0 * u_cr4 * (16.0 * u_cr5 / A5 - 20.0 * u_cr3 / A3 + 5.0 * u_cr / A) / (A * c3 * root3));
 }
 
-SF_KERNEL void rod_spring_untruncated_harmonics(double A, const double *p, double *out)
-{
+SF_KERNEL void rod_spring_untruncated_harmonics(double A, const double *p, double *out) {
     const double delta_h = p[2];
     if (A <= sqrt(-delta_h * delta_h + 2.0 * delta_h))
         rod_spring_untruncated_harmonics_passed_0(A, p, out);
@@ -1021,8 +995,7 @@ SF_KERNEL void rod_spring_untruncated_harmonics(double A, const double *p, doubl
 /* d/dp of h, h_A and h_AA at a fixed A, for each parameter p in turn.
    Equation from (20)-(22), (31). Domain: A > 0. Operations: 7 in passed_0, 44 in passed_1, 100 in passed_1_far_1.
    Error / u (1 + kappa): proved in passed_0 3.01 at most. */
-SF_KERNEL void rod_spring_untruncated_by_parameter_passed_0(double A, double h, double h_A, double h_AA, const double *p, double *out)
-{
+SF_KERNEL void rod_spring_untruncated_by_parameter_passed_0(double A, double h, double h_A, double h_AA, const double *p, double *out) {
     const double alpha = p[0], beta = p[1];
     const double t0 = 1.0 / beta;
     for (int k = 0; k < 9; k++)
@@ -1034,8 +1007,7 @@ SF_KERNEL void rod_spring_untruncated_by_parameter_passed_0(double A, double h, 
     out[5] = h_AA * t0;
 }
 
-SF_KERNEL void rod_spring_untruncated_by_parameter_passed_1(double A, double h, double h_A, double h_AA, const double *p, double *out)
-{
+SF_KERNEL void rod_spring_untruncated_by_parameter_passed_1(double A, double h, double h_A, double h_AA, const double *p, double *out) {
     const double beta = p[1], delta_h = p[2];
     const double u_cr = sqrt(-delta_h * delta_h + 2.0 * delta_h);
     const double t0 = 1.0 - delta_h;
@@ -1062,8 +1034,7 @@ SF_KERNEL void rod_spring_untruncated_by_parameter_passed_1(double A, double h, 
     out[8] = -t1 * t3 * t5 * u_cr3 * (t4 + 1.0 / (root * root));
 }
 
-SF_KERNEL void rod_spring_untruncated_by_parameter_passed_1_far_1(double A, double h, double h_A, double h_AA, const double *p, double *out)
-{
+SF_KERNEL void rod_spring_untruncated_by_parameter_passed_1_far_1(double A, double h, double h_A, double h_AA, const double *p, double *out) {
     const double beta = p[1], delta_h = p[2];
     const double u_cr = sqrt(-delta_h * delta_h + 2.0 * delta_h);
     const double t0 = 1.0 - delta_h;
@@ -1102,8 +1073,7 @@ SF_KERNEL void rod_spring_untruncated_by_parameter_passed_1_far_1(double A, doub
     out[8] = -t1 * t3 * t4 * (z + 2.0);
 }
 
-SF_KERNEL void rod_spring_untruncated_by_parameter(double A, double h, double h_A, double h_AA, const double *p, double *out)
-{
+SF_KERNEL void rod_spring_untruncated_by_parameter(double A, double h, double h_A, double h_AA, const double *p, double *out) {
     const double delta_h = p[2];
     if (A <= sqrt(-delta_h * delta_h + 2.0 * delta_h))
         rod_spring_untruncated_by_parameter_passed_0(A, h, h_A, h_AA, p, out);
@@ -1116,8 +1086,7 @@ SF_KERNEL void rod_spring_untruncated_by_parameter(double A, double h, double h_
 /* d/d of each number of the design: of each parameter in turn, then of each breakpoint.
    Equation (5), (7). Domain: any design that has a breakpoint. Operations: 13. Error / u (1 + kappa): proved 0.34,
    0.34, 0.34, 4.01, 4.01, 0.34, 0.0, 0.0, 0.0, 0.0, 0.0, -. */
-SF_KERNEL void rod_spring_untruncated_by_design(double lam, double r, double delta_h, double *out)
-{
+SF_KERNEL void rod_spring_untruncated_by_design(double lam, double r, double delta_h, double *out) {
     const double t0 = lam * r;
     const double t1 = delta_h - 1.0;
     const double t2 = 0.5 * t1;
@@ -1135,8 +1104,7 @@ SF_KERNEL void rod_spring_untruncated_by_design(double lam, double r, double del
 
 /* The parameters alpha, beta, delta_h from the design.
    Equation (5), (7). Domain: any design. Operations: 6. Error / u (1 + kappa): proved 1.34, 6.01, 0.0. */
-SF_KERNEL void rod_spring_untruncated_coefficients(double lam, double r, double delta_h, double *out)
-{
+SF_KERNEL void rod_spring_untruncated_coefficients(double lam, double r, double delta_h, double *out) {
     const double t0 = lam * r;
     out[0] = -delta_h * t0 + 1.0;
     out[1] = -0.5 * t0 * (delta_h - 1.0);
@@ -1145,39 +1113,34 @@ SF_KERNEL void rod_spring_untruncated_coefficients(double lam, double r, double 
 
 /* The |u| at which a piece of the force ends.
    Equation (5). Domain: any parameters. Operations: 4. Error / u (1 + kappa): measured 0.96. */
-SF_KERNEL void rod_spring_untruncated_breakpoints(const double *p, double *out)
-{
+SF_KERNEL void rod_spring_untruncated_breakpoints(const double *p, double *out) {
     const double delta_h = p[2];
     out[0] = sqrt(-delta_h * delta_h + 2.0 * delta_h);
 }
 
 /* What the force loses at each breakpoint: f below less f above.
    Equation (5). Domain: any parameters. Operations: 0. Error / u (1 + kappa): proved 0.0. */
-SF_KERNEL void rod_spring_untruncated_jumps(const double *p, double *out)
-{
+SF_KERNEL void rod_spring_untruncated_jumps(const double *p, double *out) {
     out[0] = 0.0;
 }
 
 /* The force over the displacement, f(u)/u, rises with |u| where none of these is negative.
    Equation from (3). Domain: any parameters. Operations: 1. Error / u (1 + kappa): proved 0.0. */
-SF_KERNEL void rod_spring_untruncated_hardening(const double *p, double *out)
-{
+SF_KERNEL void rod_spring_untruncated_hardening(const double *p, double *out) {
     const double beta = p[1];
     out[0] = 2.0 * beta;
 }
 
 /* Piece 1 of the whole restoring force u + F_k(u).
    Equation (3), (5). Domain: where it holds. Operations: 12. Error / u (1 + kappa): measured 0.85. */
-SF_KERNEL double rod_spring_untruncated_force_1(double u, double alpha, double beta, double delta_h)
-{
+SF_KERNEL double rod_spring_untruncated_force_1(double u, double alpha, double beta, double delta_h) {
     const double t0 = sqrt((1.0 - u) * (u + 1.0));
     return u * (alpha + 2.0 * beta * u * u / (t0 * (t0 + 1.0)));
 }
 
 /* d/du of piece 1 of the whole restoring force u + F_k(u).
    Equation (3), (5). Domain: where it holds. Operations: 23. Error / u (1 + kappa): measured 1.5. */
-SF_KERNEL double rod_spring_untruncated_force_1_u(double u, double alpha, double beta, double delta_h)
-{
+SF_KERNEL double rod_spring_untruncated_force_1_u(double u, double alpha, double beta, double delta_h) {
     const double root_1 = sqrt((1.0 - u) * (u + 1.0));
     const double t0 = root_1 + 1.0;
     const double t1 = 1.0 / t0;
@@ -1189,22 +1152,19 @@ SF_KERNEL double rod_spring_untruncated_force_1_u(double u, double alpha, double
 
 /* Piece 2 of the whole restoring force u + F_k(u).
    Equation (3), (5). Domain: where it holds. Operations: 0. Error / u (1 + kappa): proved 0.0. */
-SF_KERNEL double rod_spring_untruncated_force_2(double u, double alpha, double beta, double delta_h)
-{
+SF_KERNEL double rod_spring_untruncated_force_2(double u, double alpha, double beta, double delta_h) {
     return u;
 }
 
 /* d/du of piece 2 of the whole restoring force u + F_k(u).
    Equation (3), (5). Domain: where it holds. Operations: 0. Error / u (1 + kappa): proved 0.0. */
-SF_KERNEL double rod_spring_untruncated_force_2_u(double u, double alpha, double beta, double delta_h)
-{
+SF_KERNEL double rod_spring_untruncated_force_2_u(double u, double alpha, double beta, double delta_h) {
     return 1.0;
 }
 
 /* Whole dimensionless restoring force u + F_k(u), untruncated.
    Equation (3), (5). Domain: |u| < 1. Error / u (1 + kappa): measured 0.86. */
-SF_KERNEL double rod_spring_untruncated_force(double u, double alpha, double beta, double delta_h)
-{
+SF_KERNEL double rod_spring_untruncated_force(double u, double alpha, double beta, double delta_h) {
     if (sqrt(-delta_h * delta_h + 2.0 * delta_h) <= fabs(u))
         return rod_spring_untruncated_force_2(u, alpha, beta, delta_h);
     else
@@ -1213,8 +1173,7 @@ SF_KERNEL double rod_spring_untruncated_force(double u, double alpha, double bet
 
 /* h, h_A, h_AA, h_AAA together.
    Equation (20)-(22), (31). Domain: A >= 0. Error / u (1 + kappa): measured 3.3. */
-SF_KERNEL void rod_spring_untruncated_averaged(double A, const double *p, double *out)
-{
+SF_KERNEL void rod_spring_untruncated_averaged(double A, const double *p, double *out) {
     double values[7];
     rod_spring_untruncated_averaged_all(A, p, values);
     out[0] = values[0];
@@ -1225,8 +1184,7 @@ SF_KERNEL void rod_spring_untruncated_averaged(double A, const double *p, double
 
 /* h, h_A together.
    Equation (20)-(22), (31). Domain: A >= 0. Error / u (1 + kappa): measured 1.7. */
-SF_KERNEL void rod_spring_untruncated_averaged_2(double A, const double *p, double *out)
-{
+SF_KERNEL void rod_spring_untruncated_averaged_2(double A, const double *p, double *out) {
     double values[7];
     rod_spring_untruncated_averaged_all(A, p, values);
     out[0] = values[0];
@@ -1235,8 +1193,7 @@ SF_KERNEL void rod_spring_untruncated_averaged_2(double A, const double *p, doub
 
 /* H, H_A together.
    Equation (20)-(22), (31). Domain: A >= 0. Error / u (1 + kappa): measured 3. */
-SF_KERNEL void rod_spring_untruncated_averaged_H(double A, const double *p, double *out)
-{
+SF_KERNEL void rod_spring_untruncated_averaged_H(double A, const double *p, double *out) {
     double values[7];
     rod_spring_untruncated_averaged_all(A, p, values);
     out[0] = values[4];
@@ -1245,8 +1202,7 @@ SF_KERNEL void rod_spring_untruncated_averaged_H(double A, const double *p, doub
 
 /* h - A h_A, where the tangent of h meets A = 0; linear terms are none.
    Equation (20)-(22), (31). Domain: A >= 0. Error / u (1 + kappa): measured 2.9. */
-SF_KERNEL double rod_spring_untruncated_intercept(double A, double alpha, double beta, double delta_h)
-{
+SF_KERNEL double rod_spring_untruncated_intercept(double A, double alpha, double beta, double delta_h) {
     const double p[] = {alpha, beta, delta_h};
     double values[7];
     rod_spring_untruncated_averaged_all(A, p, values);

@@ -18,15 +18,13 @@
 
 /* h as A tends to 0.
    Equation (20). Domain: any. Operations: 1. Error / u (1 + kappa): measured 0.73. */
-SF_KERNEL double sampled_at_rest(double f)
-{
+SF_KERNEL double sampled_at_rest(double f) {
     return -1.2732395447351628 * f;
 }
 
 /* Under the integrals of h, h_A, h_AA, h_AAA over the quarter cycle.
    Equation (20)-(22), (31). Domain: any. Operations: 11. Error / u (1 + kappa): measured 0.66. */
-SF_KERNEL void sampled_averaged_terms(double sine, double f, double f_u, double f_uu, double f_uuu, double *out)
-{
+SF_KERNEL void sampled_averaged_terms(double sine, double f, double f_u, double f_uu, double f_uuu, double *out) {
     const double sine2 = sine * sine;
     const double sine3 = sine * sine2;
     const double sine4 = sine2 * sine2;
@@ -38,8 +36,7 @@ SF_KERNEL void sampled_averaged_terms(double sine, double f, double f_u, double 
 
 /* What a breakpoint adds to h_A, h_AA, h_AAA.
    Equation (21), (22), (31). Domain: A > b > 0. Operations: 49. Error / u (1 + kappa): measured 0.94. */
-SF_KERNEL void sampled_averaged_end(double A, double b, double lost_0, double lost_1, double lost_2, double *out)
-{
+SF_KERNEL void sampled_averaged_end(double A, double b, double lost_0, double lost_1, double lost_2, double *out) {
     const double root = sqrt(A - b) * sqrt(A + b);
     const double A2 = A * A;
     const double t0 = 1.2732395447351628;
@@ -66,15 +63,13 @@ SF_KERNEL void sampled_averaged_end(double A, double b, double lost_0, double lo
 
 /* Under the integral of h - A h_A, which `at_rest` adds to.
    Equation from (20). Domain: any. Operations: 6. Error / u (1 + kappa): measured 0.52. */
-SF_KERNEL double sampled_intercept_terms(double A, double sine, double cosine, double f_uu)
-{
+SF_KERNEL double sampled_intercept_terms(double A, double sine, double cosine, double f_uu) {
     return 1.2732395447351628 * A * A * cosine * cosine * f_uu * sine;
 }
 
 /* What a breakpoint adds to h - A h_A.
    Equation from (20). Domain: A > b > 0. Operations: 16. Error / u (1 + kappa): measured 2.7. */
-SF_KERNEL double sampled_intercept_end(double A, double b, double lost_0, double lost_1)
-{
+SF_KERNEL double sampled_intercept_end(double A, double b, double lost_0, double lost_1) {
     const double root = sqrt(A - b) * sqrt(A + b);
     const double t0 = 1.0 / A;
     return 1.2732395447351628 * (-b * b * lost_0 * t0 / root + root * t0 * (-b * lost_1 + lost_0));
@@ -82,8 +77,7 @@ SF_KERNEL double sampled_intercept_end(double A, double b, double lost_0, double
 
 /* Under the integrals of h_3 and three derivatives, then of h_5.
    Equation beyond (20). Domain: any. Operations: 23. Error / u (1 + kappa): measured 1.4. */
-SF_KERNEL void sampled_harmonics_terms(double sine, double f, double f_u, double f_uu, double f_uuu, double *out)
-{
+SF_KERNEL void sampled_harmonics_terms(double sine, double f, double f_u, double f_uu, double f_uuu, double *out) {
     const double sine2 = sine * sine;
     const double T_2 = 2.0 * sine2 - 1.0;
     const double t0 = 2.0 * T_2;
@@ -108,8 +102,7 @@ SF_KERNEL void sampled_harmonics_terms(double sine, double f, double f_u, double
 
 /* What a breakpoint adds to the three derivatives of h_3, then of h_5.
    Equation beyond (20). Domain: A > b > 0. Operations: 156. Error / u (1 + kappa): measured 2.7. */
-SF_KERNEL void sampled_harmonics_end(double A, double b, double lost_0, double lost_1, double lost_2, double *out)
-{
+SF_KERNEL void sampled_harmonics_end(double A, double b, double lost_0, double lost_1, double lost_2, double *out) {
     const double root = sqrt(A - b) * sqrt(A + b);
     const double A2 = A * A;
     const double A4 = A2 * A2;

@@ -7,8 +7,7 @@
 
 /* Under the integrals of h and h_AAAA.
    Equation (20), (31). Domain: any. Operations: 7. Error / u (1 + kappa): measured 0.77. */
-KERNEL void OF(bent_terms)(REAL sine, REAL f, REAL f_uuuu, REAL *out)
-{
+KERNEL void OF(bent_terms)(REAL sine, REAL f, REAL f_uuuu, REAL *out) {
     const REAL sine2 = SQUARE(sine);
     const REAL sine4 = SQUARE(sine2);
     const REAL sine5 = MUL(sine, sine4);
@@ -18,8 +17,7 @@ KERNEL void OF(bent_terms)(REAL sine, REAL f, REAL f_uuuu, REAL *out)
 
 /* What a breakpoint adds to h_AAAA; derivatives of order 0 are the first to be lost.
    Equation (31). Domain: A > b > 0. Operations: 56. Error / u (1 + kappa): measured 1.1. */
-KERNEL REAL OF(bent_end_0)(REAL A, REAL b, REAL lost_0, REAL lost_1, REAL lost_2, REAL lost_3)
-{
+KERNEL REAL OF(bent_end_0)(REAL A, REAL b, REAL lost_0, REAL lost_1, REAL lost_2, REAL lost_3) {
     const REAL root = MUL(SQRT(SUB(A, b)), SQRT(ADD(A, b)));
     const REAL A2 = SQUARE(A);
     const REAL A4 = SQUARE(A2);
@@ -46,8 +44,7 @@ KERNEL REAL OF(bent_end_0)(REAL A, REAL b, REAL lost_0, REAL lost_1, REAL lost_2
 
 /* What a breakpoint adds to h_AAAA; derivatives of order 1 are the first to be lost.
    Equation (31). Domain: A > b > 0. Operations: 38. Error / u (1 + kappa): measured 0.76. */
-KERNEL REAL OF(bent_end_1)(REAL A, REAL b, REAL lost_1, REAL lost_2, REAL lost_3)
-{
+KERNEL REAL OF(bent_end_1)(REAL A, REAL b, REAL lost_1, REAL lost_2, REAL lost_3) {
     const REAL root = MUL(SQRT(SUB(A, b)), SQRT(ADD(A, b)));
     const REAL A2 = SQUARE(A);
     const REAL A4 = SQUARE(A2);
@@ -68,8 +65,7 @@ KERNEL REAL OF(bent_end_1)(REAL A, REAL b, REAL lost_1, REAL lost_2, REAL lost_3
 
 /* What a breakpoint adds to h_AAAA; derivatives of order 2 are the first to be lost.
    Equation (31). Domain: A > b > 0. Operations: 25. Error / u (1 + kappa): measured 1.2. */
-KERNEL REAL OF(bent_end_2)(REAL A, REAL b, REAL lost_2, REAL lost_3)
-{
+KERNEL REAL OF(bent_end_2)(REAL A, REAL b, REAL lost_2, REAL lost_3) {
     const REAL root = MUL(SQRT(SUB(A, b)), SQRT(ADD(A, b)));
     const REAL A2 = SQUARE(A);
     const REAL A4 = SQUARE(A2);
@@ -86,8 +82,7 @@ KERNEL REAL OF(bent_end_2)(REAL A, REAL b, REAL lost_2, REAL lost_3)
 
 /* What a breakpoint adds to h_AAAA; derivatives of order 3 are the first to be lost.
    Equation (31). Domain: A > b > 0. Operations: 15. Error / u (1 + kappa): measured 0.65. */
-KERNEL REAL OF(bent_end_3)(REAL A, REAL b, REAL lost_3)
-{
+KERNEL REAL OF(bent_end_3)(REAL A, REAL b, REAL lost_3) {
     const REAL root = MUL(SQRT(SUB(A, b)), SQRT(ADD(A, b)));
     const REAL A2 = SQUARE(A);
     const REAL A4 = SQUARE(A2);

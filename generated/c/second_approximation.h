@@ -21,8 +21,7 @@ SF_COMMON void second_approximation_common_1(double A, double Omega, double h, d
     double *a_3_A_out, double *a_3_Omega_out, double *a_5_out, double *a_5_A_out, double *a_5_Omega_out,
     double *A_1_out, double *A_1_A_out, double *A_1_Omega_out, double *sine_out, double *sine_Omega_out,
     double *u_max_out, double *u_max_A_out, double *u_max_Omega_out, double *spring_out, double *spring_Omega_out,
-    double *R_A_out)
-{
+    double *R_A_out) {
     const double t0 = 1.0 / A;
     const double Omega2 = Omega * Omega;
     const double t1 = 1.0 / Omega2;
@@ -113,8 +112,7 @@ SF_COMMON void second_approximation_common_1(double A, double Omega, double h, d
 /* Largest displacement, A_1 and phase, R, F, and dF/dA, dF/dOmega, dR/dA, dR/dOmega.
    Equation beyond (23). Domain: Omega > 0, A > 0, |h| < 9 A Omega^2. Operations: 254. Error / u (1 + kappa):
    measured 1.3. */
-SF_KERNEL void second_approximation_response(double Omega, double A, double F_0, double m, double zeta, double h, double h_A, double h_AA, double h_3, double h_3_A, double h_3_AA, double h_5, double h_5_A, double h_5_AA, double *out)
-{
+SF_KERNEL void second_approximation_response(double Omega, double A, double F_0, double m, double zeta, double h, double h_A, double h_AA, double h_3, double h_3_A, double h_3_AA, double h_5, double h_5_A, double h_5_AA, double *out) {
     double a_3, a_3_A, a_3_Omega, a_5, a_5_A, a_5_Omega, A_1, A_1_A, A_1_Omega, sine, sine_Omega, u_max, u_max_A,
         u_max_Omega, spring, spring_Omega, R_A;
     second_approximation_common_1(A, Omega, h, h_3, h_3_A, h_3_AA, h_5, h_5_A, h_5_AA, h_A, h_AA, m, &a_3, &a_3_A,
@@ -154,8 +152,7 @@ SF_KERNEL void second_approximation_response(double Omega, double A, double F_0,
 /* The forcing (24), largest displacement, and what vanishes where the forcing that reaches it is least.
    Equation beyond (23). Domain: Omega > 0, A > 0, |h| < 9 A Omega^2. Operations: 252. Error / u (1 + kappa):
    measured 1.6. */
-SF_KERNEL void second_approximation_detachment(double Omega, double A, double m, double zeta, double h, double h_A, double h_AA, double h_3, double h_3_A, double h_3_AA, double h_5, double h_5_A, double h_5_AA, double *out)
-{
+SF_KERNEL void second_approximation_detachment(double Omega, double A, double m, double zeta, double h, double h_A, double h_AA, double h_3, double h_3_A, double h_3_AA, double h_5, double h_5_A, double h_5_AA, double *out) {
     double a_3, a_3_A, a_3_Omega, a_5, a_5_A, a_5_Omega, A_1, A_1_A, A_1_Omega, sine, sine_Omega, u_max, u_max_A,
         u_max_Omega, spring, spring_Omega, R_A;
     second_approximation_common_1(A, Omega, h, h_3, h_3_A, h_3_AA, h_5, h_5_A, h_5_AA, h_A, h_AA, m, &a_3, &a_3_A,
@@ -188,8 +185,7 @@ SF_KERNEL void second_approximation_detachment(double Omega, double A, double m,
 /* The same of an excitation by inertia.
    Equation beyond (23). Domain: Omega > 0, A > 0, |h| < 9 A Omega^2. Operations: 287. Error / u (1 + kappa):
    measured 1.7. */
-SF_KERNEL void second_approximation_detachment_by_inertia(double Omega, double A, double m, double zeta, double h, double h_A, double h_AA, double h_3, double h_3_A, double h_3_AA, double h_5, double h_5_A, double h_5_AA, double *out)
-{
+SF_KERNEL void second_approximation_detachment_by_inertia(double Omega, double A, double m, double zeta, double h, double h_A, double h_AA, double h_3, double h_3_A, double h_3_AA, double h_5, double h_5_A, double h_5_AA, double *out) {
     double a_3, a_3_A, a_3_Omega, a_5, a_5_A, a_5_Omega, A_1, A_1_A, A_1_Omega, sine, sine_Omega, u_max, u_max_A,
         u_max_Omega, spring, spring_Omega, R_A;
     second_approximation_common_1(A, Omega, h, h_3, h_3_A, h_3_AA, h_5, h_5_A, h_5_AA, h_A, h_AA, m, &a_3, &a_3_A,
@@ -231,8 +227,7 @@ SF_KERNEL void second_approximation_detachment_by_inertia(double Omega, double A
 /* F and its derivatives: a fold has F = F_A = 0, a cusp all three.
    Equation beyond (23). Domain: Omega > 0, A > 0, |h| < 9 A Omega^2. Operations: 396. Error / u (1 + kappa):
    measured 1.5. */
-SF_KERNEL void second_approximation_folds(double Omega, double A, double F_0, double m, double zeta, double h, double h_A, double h_AA, double h_AAA, double h_3, double h_3_A, double h_3_AA, double h_3_AAA, double h_5, double h_5_A, double h_5_AA, double h_5_AAA, double *out)
-{
+SF_KERNEL void second_approximation_folds(double Omega, double A, double F_0, double m, double zeta, double h, double h_A, double h_AA, double h_AAA, double h_3, double h_3_A, double h_3_AA, double h_3_AAA, double h_5, double h_5_A, double h_5_AA, double h_5_AAA, double *out) {
     const double t0 = 1.0 / A;
     const double t1 = Omega * Omega;
     const double t2 = 1.0 / t1;
@@ -372,8 +367,7 @@ SF_KERNEL void second_approximation_folds(double Omega, double A, double F_0, do
 /* Largest displacement and what `wave` takes.
    Equation beyond (23). Domain: Omega > 0, A > 0, |h| < 9 A Omega^2. Operations: 62. Error / u (1 + kappa):
    measured 1.1. */
-SF_KERNEL void second_approximation_components(double Omega, double A, double m, double h, double h_3, double h_5, double *out)
-{
+SF_KERNEL void second_approximation_components(double Omega, double A, double m, double h, double h_3, double h_5, double *out) {
     const double t0 = 1.0 / (Omega * Omega);
     const double kappa = -h * t0 / A;
     const double t1 = 1.0 / (9.0 - kappa);
@@ -404,8 +398,7 @@ SF_KERNEL void second_approximation_components(double Omega, double A, double m,
 /* u and u' at an angle after the mass turned at its largest displacement.
    Equation beyond (23). Domain: Omega > 0, 0 <= turned <= pi, |kappa| < 9. Operations: 343. Error / u (1 + kappa):
    measured 1.5. */
-SF_KERNEL void second_approximation_wave(double turned, double Omega, double m, double A_1, double sine, double cosine, double a_3, double a_5, double kappa, double *out)
-{
+SF_KERNEL void second_approximation_wave(double turned, double Omega, double m, double A_1, double sine, double cosine, double a_3, double a_5, double kappa, double *out) {
     const double c_1 = cos(turned);
     const double s_1 = sin(turned);
     const double twice = (c_1 + s_1) * (2.0 * c_1 - 2.0 * s_1);

@@ -17,8 +17,7 @@ SF_FAMILY_BEGIN
 
 /* By A, Omega and F_0, of what vanishes by `conventions.SYSTEMS`; then the sizes of these.
    Equation from (23)-(34). Domain: Omega > 0, A > 0. Operations: 272. Error / u (1 + kappa): measured 1.1. */
-SF_KERNEL void sensitivities_slopes(double Omega, double A, double R, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double zeta_A, double zeta_AA, double zeta_AAA, double d, double d_3, double h, double h_A, double h_AA, double h_AAA, double S_Omega, double S_OmegaOmega, double S_F, double S_FOmega, double *out)
-{
+SF_KERNEL void sensitivities_slopes(double Omega, double A, double R, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double zeta_A, double zeta_AA, double zeta_AAA, double d, double d_3, double h, double h_A, double h_AA, double h_AAA, double S_Omega, double S_OmegaOmega, double S_F, double S_FOmega, double *out) {
     const double Omega2 = Omega * Omega;
     const double A2 = A * A;
     const double t0 = A2 * Omega2;
@@ -121,8 +120,7 @@ SF_KERNEL void sensitivities_slopes(double Omega, double A, double R, double I_0
 /* What a parameter does to what vanishes, with the opposite sign.
    Equation from (23)-(34). Domain: Omega > 0, A > 0. Operations: 120. Error / u (1 + kappa): proved -, -, -, -,
    0.0, 0.0, 0.0, 0.0; measured 0.65. */
-SF_KERNEL void sensitivities_right(double Omega, double A, double R, double I_0, double I_0A, double I_0AA, double zeta, double zeta_A, double zeta_AA, double d, double d_3, double h_A, double h_AA, double h_p, double h_Ap, double h_AAp, double I_0p, double I_0Ap, double I_0AAp, double zeta_p, double zeta_Ap, double zeta_AAp, double d_p, double d_3p, double forcing_p, double frequency_p, double end_p, double *out)
-{
+SF_KERNEL void sensitivities_right(double Omega, double A, double R, double I_0, double I_0A, double I_0AA, double zeta, double zeta_A, double zeta_AA, double d, double d_3, double h_A, double h_AA, double h_p, double h_Ap, double h_AAp, double I_0p, double I_0Ap, double I_0AAp, double zeta_p, double zeta_Ap, double zeta_AAp, double d_p, double d_3p, double forcing_p, double frequency_p, double end_p, double *out) {
     const double t0 = 2.0 * zeta;
     const double t1 = Omega * t0;
     const double A2 = A * A;
@@ -164,8 +162,7 @@ SF_KERNEL void sensitivities_right(double Omega, double A, double R, double I_0,
 
 /* d/dp of the phase (25) and of the transmissibility of a state that moves by A_p, Omega_p, F_0_p.
    Equation from (23)-(34). Domain: Omega > 0, A > 0. Operations: 79. Error / u (1 + kappa): measured 0.67. */
-SF_KERNEL void sensitivities_of_state(double Omega, double A, double I_0, double I_0A, double zeta, double zeta_A, double d, double d_3, double h, double h_A, double force, double force_Omega, double force_F, double h_p, double I_0p, double zeta_p, double d_p, double d_3p, double A_p, double Omega_p, double F_0_p, double *out)
-{
+SF_KERNEL void sensitivities_of_state(double Omega, double A, double I_0, double I_0A, double zeta, double zeta_A, double d, double d_3, double h, double h_A, double force, double force_Omega, double force_F, double h_p, double I_0p, double zeta_p, double d_p, double d_3p, double A_p, double Omega_p, double F_0_p, double *out) {
     const double Omega2 = Omega * Omega;
     const double t0 = A * Omega2;
     const double R = h + t0;
@@ -192,8 +189,7 @@ SF_KERNEL void sensitivities_of_state(double Omega, double A, double I_0, double
 
 /* Force, its slopes by Omega and F_0; of its square S_Omega, S_OmegaOmega, S_F, S_FOmega: a force.
    Equation (3). Domain: Omega >= 0. Operations: 1. Error / u (1 + kappa): proved 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0. */
-SF_KERNEL void sensitivities_by_force(double Omega, double F_0, double *out)
-{
+SF_KERNEL void sensitivities_by_force(double Omega, double F_0, double *out) {
     for (int k = 0; k < 7; k++)
         out[k] = 0.0;
     out[0] = F_0;
@@ -204,8 +200,7 @@ SF_KERNEL void sensitivities_by_force(double Omega, double F_0, double *out)
 /* Force, its slopes by Omega and F_0; of its square S_Omega, S_OmegaOmega, S_F, S_FOmega: an excitation by inertia.
    Equation beside (3). Domain: Omega >= 0. Operations: 14. Error / u (1 + kappa): proved 0.51, 0.34, 0.34, 0.67,
    0.81, 0.67, 0.61. */
-SF_KERNEL void sensitivities_by_inertia(double Omega, double F_0, double *out)
-{
+SF_KERNEL void sensitivities_by_inertia(double Omega, double F_0, double *out) {
     const double Omega2 = Omega * Omega;
     const double t0 = 2.0 * F_0;
     const double t1 = F_0 * F_0;

@@ -18,29 +18,25 @@ SF_FAMILY_BEGIN
 
 /* Dry friction's share of I.
    Equation (23). Domain: mu >= 0. Operations: 1. Error / u (1 + kappa): measured 0.76. */
-SF_KERNEL double slow_flow_friction(double mu)
-{
+SF_KERNEL double slow_flow_friction(double mu) {
     return 1.2732395447351628 * mu;
 }
 
 /* Cosine balance, -F_0 cos phi at a fixed point.
    Equation (23). Domain: Omega > 0, A > 0. Operations: 3. Error / u (1 + kappa): proved 1.01. */
-SF_KERNEL double slow_flow_R(double Omega, double A, double h)
-{
+SF_KERNEL double slow_flow_R(double Omega, double A, double h) {
     return A * Omega * Omega + h;
 }
 
 /* Sine balance, -F_0 sin phi at a fixed point.
    Equation (23). Domain: Omega > 0, A > 0. Operations: 4. Error / u (1 + kappa): proved 0.76. */
-SF_KERNEL double slow_flow_I(double Omega, double A, double m, double zeta)
-{
+SF_KERNEL double slow_flow_I(double Omega, double A, double m, double zeta) {
     return 2.0 * A * Omega * zeta + m;
 }
 
 /* Frequency response; zero at a steady state.
    Equation (24). Domain: Omega > 0, A > 0. Operations: 12. Error / u (1 + kappa): measured 1.4. */
-SF_KERNEL double slow_flow_F(double Omega, double A, double F_0, double m, double zeta, double h)
-{
+SF_KERNEL double slow_flow_F(double Omega, double A, double F_0, double m, double zeta, double h) {
     const double R = A * Omega * Omega + h;
     const double I_ = 2.0 * A * Omega * zeta + m;
     return R * R + (-F_0 + I_) * (F_0 + I_);
@@ -48,8 +44,7 @@ SF_KERNEL double slow_flow_F(double Omega, double A, double F_0, double m, doubl
 
 /* dF/dA; positive where stable.
    Equation (24), (30). Domain: Omega > 0, A > 0. Operations: 12. Error / u (1 + kappa): measured 1.1. */
-SF_KERNEL double slow_flow_F_A(double Omega, double A, double m, double zeta, double h, double h_A)
-{
+SF_KERNEL double slow_flow_F_A(double Omega, double A, double m, double zeta, double h, double h_A) {
     const double t0 = Omega * Omega;
     const double R = A * t0 + h;
     const double t1 = 2.0 * Omega * zeta;
@@ -59,8 +54,7 @@ SF_KERNEL double slow_flow_F_A(double Omega, double A, double m, double zeta, do
 
 /* d2F/dA2.
    Equation (24), (33). Domain: Omega > 0, A > 0. Operations: 12. Error / u (1 + kappa): measured 1.3. */
-SF_KERNEL double slow_flow_F_AA(double Omega, double A, double m, double zeta, double h, double h_A, double h_AA)
-{
+SF_KERNEL double slow_flow_F_AA(double Omega, double A, double m, double zeta, double h, double h_A, double h_AA) {
     const double t0 = Omega * Omega;
     const double R = A * t0 + h;
     const double t1 = h_A + t0;
@@ -69,8 +63,7 @@ SF_KERNEL double slow_flow_F_AA(double Omega, double A, double m, double zeta, d
 
 /* dF/dOmega.
    Equation (24), (34). Domain: Omega > 0, A > 0. Operations: 12. Error / u (1 + kappa): proved 3.67. */
-SF_KERNEL double slow_flow_F_Omega(double Omega, double A, double m, double zeta, double h)
-{
+SF_KERNEL double slow_flow_F_Omega(double Omega, double A, double m, double zeta, double h) {
     const double R = A * Omega * Omega + h;
     const double I_ = 2.0 * A * Omega * zeta + m;
     return 4.0 * A * (I_ * zeta + Omega * R);
@@ -78,8 +71,7 @@ SF_KERNEL double slow_flow_F_Omega(double Omega, double A, double m, double zeta
 
 /* d2F/dA dOmega.
    Equation (24). Domain: Omega > 0, A > 0. Operations: 17. Error / u (1 + kappa): proved 4.72. */
-SF_KERNEL double slow_flow_F_AOmega(double Omega, double A, double m, double zeta, double h, double h_A)
-{
+SF_KERNEL double slow_flow_F_AOmega(double Omega, double A, double m, double zeta, double h, double h_A) {
     const double t0 = Omega * Omega;
     const double R = A * t0 + h;
     const double t1 = A * Omega;
@@ -90,8 +82,7 @@ SF_KERNEL double slow_flow_F_AOmega(double Omega, double A, double m, double zet
 
 /* d2F/dOmega2.
    Equation (24). Domain: Omega > 0, A > 0. Operations: 11. Error / u (1 + kappa): proved 2.67. */
-SF_KERNEL double slow_flow_F_OmegaOmega(double Omega, double A, double zeta, double h)
-{
+SF_KERNEL double slow_flow_F_OmegaOmega(double Omega, double A, double zeta, double h) {
     const double t0 = A * Omega * Omega;
     const double R = h + t0;
     return 4.0 * A * (2.0 * A * zeta * zeta + R + 2.0 * t0);
@@ -99,8 +90,7 @@ SF_KERNEL double slow_flow_F_OmegaOmega(double Omega, double A, double zeta, dou
 
 /* Phase phi of a steady state, from -pi to 0.
    Equation (25). Domain: Omega > 0, A > 0. Operations: 8. Error / u (1 + kappa): measured 0.87. */
-SF_KERNEL double slow_flow_phase(double Omega, double A, double m, double zeta, double h)
-{
+SF_KERNEL double slow_flow_phase(double Omega, double A, double m, double zeta, double h) {
     const double R = A * Omega * Omega + h;
     const double I_ = 2.0 * A * Omega * zeta + m;
     return angles_atan2(-I_, -R);
@@ -108,30 +98,26 @@ SF_KERNEL double slow_flow_phase(double Omega, double A, double m, double zeta, 
 
 /* Frequency on the backbone.
    Equation (26). Domain: A > 0, h <= 0. Operations: 2. Error / u (1 + kappa): measured 0.71. */
-SF_KERNEL double slow_flow_backbone(double A, double h)
-{
+SF_KERNEL double slow_flow_backbone(double A, double h) {
     const double turn = -h / A;
     return sqrt(turn);
 }
 
 /* Largest amplitude that the forcing can hold at this frequency.
    Equation (27). Domain: Omega > 0, F_0 > m; sticks otherwise. Operations: 4. Error / u (1 + kappa): proved 4.01. */
-SF_KERNEL double slow_flow_limit_envelope(double Omega, double F_0, double m, double zeta)
-{
+SF_KERNEL double slow_flow_limit_envelope(double Omega, double F_0, double m, double zeta) {
     return 0.5 * (F_0 - m) / (Omega * zeta);
 }
 
 /* Viscous damping ratio that dissipates as much as zeta and friction together.
    Equation (38). Domain: Omega > 0, A > 0. Operations: 4. Error / u (1 + kappa): proved 0.76. */
-SF_KERNEL double slow_flow_equivalent_damping(double Omega, double A, double m, double zeta)
-{
+SF_KERNEL double slow_flow_equivalent_damping(double Omega, double A, double m, double zeta) {
     return zeta + 0.5 * m / (A * Omega);
 }
 
 /* Fundamental harmonic of the force on the base over F_0, at a steady state.
    Equation from (23). Domain: Omega > 0, A > 0, F_0 > 0. Operations: 6. Error / u (1 + kappa): measured 0.67. */
-SF_KERNEL double slow_flow_transmissibility(double Omega, double A, double F_0, double m, double zeta, double h)
-{
+SF_KERNEL double slow_flow_transmissibility(double Omega, double A, double F_0, double m, double zeta, double h) {
     const double I_ = 2.0 * A * Omega * zeta + m;
     return hypot(h, I_) / F_0;
 }
@@ -139,24 +125,21 @@ SF_KERNEL double slow_flow_transmissibility(double Omega, double A, double F_0, 
 /* Frequency of a state that transmits sqrt(1 - reduction) of what drives it, though it moves.
    Equation from (23). Domain: A > 0, F_0 > 0, 0 <= reduction < 1. Operations: 6 in inwards, 8 in outwards. Error /
    u (1 + kappa): measured 0.71. */
-SF_KERNEL double slow_flow_isolation_inwards(double A, double F_0, double reduction, double h)
-{
+SF_KERNEL double slow_flow_isolation_inwards(double A, double F_0, double reduction, double h) {
     const double removed = F_0 * sqrt(reduction);
     const double whole = hypot(h, removed);
     const double turn = (-h + whole) / A;
     return sqrt(turn);
 }
 
-SF_KERNEL double slow_flow_isolation_outwards(double A, double F_0, double reduction, double h)
-{
+SF_KERNEL double slow_flow_isolation_outwards(double A, double F_0, double reduction, double h) {
     const double removed = F_0 * sqrt(reduction);
     const double whole = hypot(h, removed);
     const double turn = removed * removed / (A * (h + whole));
     return sqrt(turn);
 }
 
-SF_KERNEL double slow_flow_isolation(double A, double F_0, double reduction, double h)
-{
+SF_KERNEL double slow_flow_isolation(double A, double F_0, double reduction, double h) {
     if (h <= 0.0)
         return slow_flow_isolation_inwards(A, F_0, reduction, h);
     else
@@ -165,15 +148,13 @@ SF_KERNEL double slow_flow_isolation(double A, double F_0, double reduction, dou
 
 /* The forcing up to which a mass at rest stays there: that of a state as A tends to 0.
    Equation (24). Domain: preload >= 0, -h as A tends to 0. Operations: 1. Error / u (1 + kappa): measured 0.5. */
-SF_KERNEL double slow_flow_held(double m, double preload)
-{
+SF_KERNEL double slow_flow_held(double m, double preload) {
     return hypot(m, preload);
 }
 
 /* Jacobian of the slow flow (A', phi') at a fixed point: J11, J12, J21, J22.
    Equation (28). Domain: Omega > 0, A > 0. Operations: 13. Error / u (1 + kappa): proved 0.0, 2.01, 3.01, 3.01. */
-SF_KERNEL void slow_flow_jacobian(double Omega, double A, double m, double zeta, double h, double h_A, double *out)
-{
+SF_KERNEL void slow_flow_jacobian(double Omega, double A, double m, double zeta, double h, double h_A, double *out) {
     const double t0 = Omega * Omega;
     const double t1 = 0.5 / Omega;
     const double t2 = t1 / A;
@@ -185,8 +166,7 @@ SF_KERNEL void slow_flow_jacobian(double Omega, double A, double m, double zeta,
 
 /* 4 Omega^2 det(jacobian) = F_A/(2 A); stable where positive.
    Equation (30). Domain: Omega > 0, A > 0. Operations: 12. Error / u (1 + kappa): measured 1.1. */
-SF_KERNEL double slow_flow_stability(double Omega, double A, double m, double zeta, double h, double h_A)
-{
+SF_KERNEL double slow_flow_stability(double Omega, double A, double m, double zeta, double h, double h_A) {
     const double t0 = Omega * Omega;
     const double R = A * t0 + h;
     const double t1 = 2.0 * Omega * zeta;
@@ -196,8 +176,7 @@ SF_KERNEL double slow_flow_stability(double Omega, double A, double m, double ze
 
 /* F as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
    Equation (24). Domain: A > 0. Operations: 15. Error / u (1 + kappa): proved -, 0.51, 1.61, 0.34; measured 0.98. */
-SF_KERNEL void slow_flow_response_quartic(double A, double F_0, double m, double zeta, double h, double *out)
-{
+SF_KERNEL void slow_flow_response_quartic(double A, double F_0, double m, double zeta, double h, double *out) {
     const double t0 = A * A;
     out[0] = h * h + (-F_0 + m) * (F_0 + m);
     out[1] = 4.0 * A * m * zeta;
@@ -207,8 +186,7 @@ SF_KERNEL void slow_flow_response_quartic(double A, double F_0, double m, double
 
 /* F_A/2 as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
    Equation (24), (30). Domain: A > 0. Operations: 8. Error / u (1 + kappa): proved 0.34, 0.34, 2.34, 0.0. */
-SF_KERNEL void slow_flow_fold_quartic(double A, double m, double zeta, double h, double h_A, double *out)
-{
+SF_KERNEL void slow_flow_fold_quartic(double A, double m, double zeta, double h, double h_A, double *out) {
     out[0] = h * h_A;
     out[1] = 2.0 * m * zeta;
     out[2] = A * (h_A + 4.0 * zeta * zeta) + h;
@@ -217,8 +195,7 @@ SF_KERNEL void slow_flow_fold_quartic(double A, double m, double zeta, double h,
 
 /* F_Omega/(4 A) as a polynomial in Omega: coefficients of 1, Omega, Omega^3.
    Equation (34). Domain: A > 0. Operations: 5. Error / u (1 + kappa): proved 0.34, 1.01, 0.0. */
-SF_KERNEL void slow_flow_peak_cubic(double A, double m, double zeta, double h, double *out)
-{
+SF_KERNEL void slow_flow_peak_cubic(double A, double m, double zeta, double h, double *out) {
     out[0] = m * zeta;
     out[1] = 2.0 * A * zeta * zeta + h;
     out[2] = A;
@@ -227,8 +204,7 @@ SF_KERNEL void slow_flow_peak_cubic(double A, double m, double zeta, double h, d
 /* Reduced resultant of F and F_Omega: coefficients of F_0^0, F_0^2, ...; its roots are candidates for F_cr.
    Equation (34). Domain: A > 0. Operations: 37. Error / u (1 + kappa): proved -, -, 6.67, 0.0; measured 1.3. */
 #define SLOW_FLOW_DETACHMENT_COUNT 4
-SF_KERNEL void slow_flow_detachment(double A, double m, double zeta, double h, double *out)
-{
+SF_KERNEL void slow_flow_detachment(double A, double m, double zeta, double h, double *out) {
     const double m2 = m * m;
     const double zeta2 = zeta * zeta;
     const double t0 = A * zeta2;
@@ -248,8 +224,7 @@ SF_KERNEL void slow_flow_detachment(double A, double m, double zeta, double h, d
 
 /* The forcing F_0 for which (Omega, A) is a steady state.
    Equation (24). Domain: Omega >= 0, A > 0. Operations: 11. Error / u (1 + kappa): measured 1.4. */
-SF_KERNEL double slow_flow_level(double Omega, double A, double m, double zeta, double h)
-{
+SF_KERNEL double slow_flow_level(double Omega, double A, double m, double zeta, double h) {
     const double R = A * Omega * Omega + h;
     const double I_ = 2.0 * A * Omega * zeta + m;
     return sqrt(I_ * I_ + R * R);
@@ -257,8 +232,7 @@ SF_KERNEL double slow_flow_level(double Omega, double A, double m, double zeta, 
 
 /* F at Omega = 0 as a product: h - c, h + c, and the slope of both along A.
    Equation from (24). Domain: F_0 >= m. Operations: 6. Error / u (1 + kappa): measured 1.2. */
-SF_KERNEL void slow_flow_rest(double F_0, double m, double h, double h_A, double *out)
-{
+SF_KERNEL void slow_flow_rest(double F_0, double m, double h, double h_A, double *out) {
     const double product = -(-F_0 + m) * (F_0 + m);
     const double c = sqrt(product);
     out[0] = -c + h;
@@ -268,23 +242,20 @@ SF_KERNEL void slow_flow_rest(double F_0, double m, double h, double h_A, double
 
 /* The |h| of a state at Omega = 0, and the least |h - A h_A| of a fold.
    Equation from (24), (30). Domain: F_0 >= m. Operations: 5. Error / u (1 + kappa): measured 1.1. */
-SF_KERNEL double slow_flow_least_restoring(double F_0, double m)
-{
+SF_KERNEL double slow_flow_least_restoring(double F_0, double m) {
     return sqrt(F_0 - m) * sqrt(F_0 + m);
 }
 
 /* k = h - A h_A, where the tangent of h meets A = 0, and its slope along A.
    Equation from (24), (30). Domain: A >= 0. Operations: 3. Error / u (1 + kappa): proved 1.01, 0.34. */
-SF_KERNEL void slow_flow_intercept(double A, double h, double h_A, double h_AA, double *out)
-{
+SF_KERNEL void slow_flow_intercept(double A, double h, double h_A, double h_AA, double *out) {
     out[0] = -A * h_A + h;
     out[1] = -A * h_AA;
 }
 
 /* The largest |h| of a state with this amplitude: F_0 + (A Omega)^2/A at the highest Omega.
    Equation from (23). Domain: A > 0, F_0 >= m, zeta > 0. Operations: 6. Error / u (1 + kappa): measured 0.85. */
-SF_KERNEL double slow_flow_most_restoring(double A, double F_0, double m, double zeta)
-{
+SF_KERNEL double slow_flow_most_restoring(double A, double F_0, double m, double zeta) {
     const double c = -0.5 * (-F_0 + m) / zeta;
     const double fastest = c / A;
     return F_0 + c * fastest;
@@ -293,8 +264,7 @@ SF_KERNEL double slow_flow_most_restoring(double A, double F_0, double m, double
 /* Zero at a fold at F_0: R of (23) less the R of F = F_A = 0; its slope along A, and Omega.
    Equation from (24), (30). Domain: A > 0, F_0 > m, k^2 >= F_0^2 - m^2. Operations: 48. Error / u (1 + kappa):
    measured 1.9. */
-SF_KERNEL void slow_flow_fold(double A, double F_0, double m, double zeta, double h, double h_A, double k, double k_A, double *out)
-{
+SF_KERNEL void slow_flow_fold(double A, double F_0, double m, double zeta, double h, double h_A, double k, double k_A, double *out) {
     const double excess = (F_0 - m) * (F_0 + m);
     const double least = sqrt(excess);
     const double t0 = 1.0 / k;
@@ -315,15 +285,13 @@ SF_KERNEL void slow_flow_fold(double A, double F_0, double m, double zeta, doubl
 
 /* Omega^2 beside a fold by the R of F = F_A = 0, from the Omega by I and what R lacks of agreeing (`fold`).
    Equation from (23). Domain: A > 0. Operations: 3. Error / u (1 + kappa): proved 1.01. */
-SF_KERNEL double slow_flow_fold_square(double Omega, double A, double lacks)
-{
+SF_KERNEL double slow_flow_fold_square(double Omega, double A, double lacks) {
     return Omega * Omega - lacks / A;
 }
 
 /* What F and F_A change by beside a fold, per what vanishes there (`fold`), at its A, Omega and I.
    Equation from (24), (30). Domain: A > 0. Operations: 4. Error / u (1 + kappa): proved 0.0, 3.01. */
-SF_KERNEL void slow_flow_fold_moves(double A, double k, double R, double *out)
-{
+SF_KERNEL void slow_flow_fold_moves(double A, double k, double R, double *out) {
     const double t0 = 2.0 * R;
     out[0] = t0;
     out[1] = -2.0 * (k - t0) / A;
@@ -331,15 +299,13 @@ SF_KERNEL void slow_flow_fold_moves(double A, double k, double R, double *out)
 
 /* Omega at an isola point.
    Equation from (30), (34). Domain: h_A >= 0. Operations: 1. Error / u (1 + kappa): measured 0.67. */
-SF_KERNEL double slow_flow_isola_Omega(double h_A)
-{
+SF_KERNEL double slow_flow_isola_Omega(double h_A) {
     return sqrt(h_A);
 }
 
 /* The forcing at an isola point: of R from h rounding leaves nothing where damping is weak.
    Equation from (24), (30). Domain: Omega > 0. Operations: 7. Error / u (1 + kappa): measured 0.97. */
-SF_KERNEL double slow_flow_isola_level(double Omega, double A, double m, double zeta)
-{
+SF_KERNEL double slow_flow_isola_level(double Omega, double A, double m, double zeta) {
     const double I_ = 2.0 * A * Omega * zeta + m;
     return hypot(I_, -I_ * zeta / Omega);
 }
@@ -347,8 +313,7 @@ SF_KERNEL double slow_flow_isola_level(double Omega, double A, double m, double 
 /* Zero at an isola point: F_Omega/(4 A) at its Omega, for m = 0 without the factor Omega; slope along A.
    Equation from (30), (34). Domain: A > 0, h_A > 0; for m = 0 any h_A. Operations: 18. Error / u (1 + kappa):
    measured 1.7. */
-SF_KERNEL void slow_flow_isola(double A, double m, double zeta, double h, double h_A, double h_AA, double *out)
-{
+SF_KERNEL void slow_flow_isola(double A, double m, double zeta, double h, double h_A, double h_AA, double *out) {
     const double w = sqrt(h_A);
     const double t0 = 2.0 * zeta * zeta;
     const double bracket = A * (h_A + t0) + h;
@@ -360,8 +325,7 @@ SF_KERNEL void slow_flow_isola(double A, double m, double zeta, double h, double
 /* F_AA/2 = T^2 + 2 a T + b = X^2 + 2 c X + d, T = dR/dA, X = Omega^2: a, b, c, d, and a^2 - b = c^2 - d.
    Equation from (33). Domain: A > 0. Operations: 15. Error / u (1 + kappa): proved 1.01, 1.01, 1.51, 1.01, -;
    measured 0.89. */
-SF_KERNEL void slow_flow_cusps(double A, double zeta, double h, double h_A, double h_AA, double k, double *out)
-{
+SF_KERNEL void slow_flow_cusps(double A, double zeta, double h, double h_A, double h_AA, double k, double *out) {
     const double t0 = zeta * zeta;
     const double half_e = 0.5 * A * h_AA + 2.0 * t0;
     const double t1 = 4.0 * h_A * t0 - h_AA * k;
@@ -374,16 +338,14 @@ SF_KERNEL void slow_flow_cusps(double A, double zeta, double h, double h_A, doub
 
 /* R where F_AA = 0 (`cusps`), in two forms: by its tangent, and from F_AA itself.
    Equation from (33). Domain: A > 0, X >= 0. Operations: 8. Error / u (1 + kappa): proved 1.01, 1.81. */
-SF_KERNEL void slow_flow_cusp_R(double A, double zeta, double h_AA, double k, double X, double T, double *out)
-{
+SF_KERNEL void slow_flow_cusp_R(double A, double zeta, double h_AA, double k, double X, double T, double *out) {
     out[0] = A * T + k;
     out[1] = (-T * T - 4.0 * X * zeta * zeta) / h_AA;
 }
 
 /* Where F_AA = 0 (`cusps`; root = a + T): F_A/2, the same less A F_AA/2, its slope along A, F_0 if it is 0.
    Equation from (33). Domain: A > 0, X > 0. Operations: 37. Error / u (1 + kappa): measured 1.2. */
-SF_KERNEL void slow_flow_cusp(double A, double m, double zeta, double h_AA, double h_AAA, double k, double X, double T, double R, double root, double *out)
-{
+SF_KERNEL void slow_flow_cusp(double A, double m, double zeta, double h_AA, double h_AAA, double k, double X, double T, double R, double root, double *out) {
     const double w = sqrt(X);
     const double t0 = m * zeta;
     const double t1 = 2.0 * t0 * w;
@@ -396,8 +358,7 @@ SF_KERNEL void slow_flow_cusp(double A, double m, double zeta, double h_AA, doub
 
 /* Omega^2 and F_0^2 at a cusp with R from F_A = 0, by an X = Omega^2 that is nearly right, and T (`cusps`).
    Equation from (30). Domain: A > 0, X > 0, T not 0. Operations: 14. Error / u (1 + kappa): measured 0.98. */
-SF_KERNEL void slow_flow_cusp_balance(double A, double m, double zeta, double h, double k, double X, double T, double *out)
-{
+SF_KERNEL void slow_flow_cusp_balance(double A, double m, double zeta, double h, double k, double X, double T, double *out) {
     const double w = sqrt(X);
     const double t0 = 2.0 * w * zeta;
     const double t1 = A * t0;
@@ -408,8 +369,7 @@ SF_KERNEL void slow_flow_cusp_balance(double A, double m, double zeta, double h,
 
 /* F_A/2 where F_AOmega = 0, an extremum of F_A over Omega, and its slope along A.
    Equation from (30). Domain: Omega > 0, A > 0. Operations: 28. Error / u (1 + kappa): measured 1.5. */
-SF_KERNEL void slow_flow_turn(double Omega, double A, double m, double zeta, double h_AA, double k, double *out)
-{
+SF_KERNEL void slow_flow_turn(double Omega, double A, double m, double zeta, double h_AA, double k, double *out) {
     const double t0 = A * Omega * zeta;
     const double I_ = m + 2.0 * t0;
     const double drawn = 0.5 * zeta * (m + 4.0 * t0) / Omega;
@@ -423,8 +383,7 @@ SF_KERNEL void slow_flow_turn(double Omega, double A, double m, double zeta, dou
 /* F where F_Omega = 0: an extremum of F over Omega, and its slope along A.
    Equation from (24), (34). Domain: Omega > 0, A > 0. Operations: 18. Error / u (1 + kappa): proved -, 3.67;
    measured 1.1. */
-SF_KERNEL void slow_flow_peak(double Omega, double A, double F_0, double m, double zeta, double h_A, double *out)
-{
+SF_KERNEL void slow_flow_peak(double Omega, double A, double F_0, double m, double zeta, double h_A, double *out) {
     const double t0 = 2.0 * A;
     const double R = -t0 * zeta * zeta - m * zeta / Omega;
     const double I_ = Omega * t0 * zeta + m;
@@ -434,8 +393,7 @@ SF_KERNEL void slow_flow_peak(double Omega, double A, double F_0, double m, doub
 
 /* dOmega/dA along F_Omega = 0: what a rounding of A does to Omega at a peak.
    Equation from (34). Domain: Omega > 0, A > 0. Operations: 12. Error / u (1 + kappa): measured 1.6. */
-SF_KERNEL double slow_flow_peak_Omega_A(double Omega, double A, double m, double zeta, double h_A)
-{
+SF_KERNEL double slow_flow_peak_Omega_A(double Omega, double A, double m, double zeta, double h_A) {
     const double Omega2 = Omega * Omega;
     const double Omega3 = Omega * Omega2;
     return Omega2 * (Omega2 + h_A + 2.0 * zeta * zeta) / (-2.0 * A * Omega3 + m * zeta);
@@ -443,16 +401,14 @@ SF_KERNEL double slow_flow_peak_Omega_A(double Omega, double A, double m, double
 
 /* Mean of the stiffness over a cycle of a motion about u = 0, which stays about it where this is positive.
    Equation beside (30). Domain: A > 0. Operations: 4. Error / u (1 + kappa): proved 1.01. */
-SF_KERNEL double slow_flow_mean_stiffness(double A, double h, double h_A)
-{
+SF_KERNEL double slow_flow_mean_stiffness(double A, double h, double h_A) {
     return -0.5 * h_A - 0.5 * h / A;
 }
 
 /* What carries a small mean offset back; where the mean stiffness is negative this decides.
    Equation beside (30). Domain: Omega > 0, A > 0. Operations: 18 in over, 14 in apart. Error / u (1 + kappa):
    measured 2. */
-SF_KERNEL double slow_flow_offset_stiffness_over(double Omega, double A, double h, double h_A)
-{
+SF_KERNEL double slow_flow_offset_stiffness_over(double Omega, double A, double h, double h_A) {
     const double t0 = Omega * Omega;
     const double t1 = 1.0 / A;
     const double t2 = h * t1;
@@ -460,16 +416,14 @@ SF_KERNEL double slow_flow_offset_stiffness_over(double Omega, double A, double 
     return (h_A * (0.5 * h_A - 3.0 * t2 - t3) + t2 * (0.5 * h * t1 - t3)) / (h_A + 8.0 * t0 + t2);
 }
 
-SF_KERNEL double slow_flow_offset_stiffness_apart(double Omega, double A, double h, double h_A)
-{
+SF_KERNEL double slow_flow_offset_stiffness_apart(double Omega, double A, double h, double h_A) {
     const double t0 = 1.0 / A;
     const double t1 = h * t0;
     const double t2 = h * t0 - h_A;
     return -0.5 * h_A - 0.5 * t1 + t2 * t2 / (8.0 * Omega * Omega + h_A + t1);
 }
 
-SF_KERNEL double slow_flow_offset_stiffness(double Omega, double A, double h, double h_A)
-{
+SF_KERNEL double slow_flow_offset_stiffness(double Omega, double A, double h, double h_A) {
     if (0.5 * fabs(h_A) + 0.5 * fabs(h) / A <= fabs(8.0 * Omega * Omega + h_A + h / A))
         return slow_flow_offset_stiffness_over(Omega, A, h, h_A);
     else
@@ -478,8 +432,7 @@ SF_KERNEL double slow_flow_offset_stiffness(double Omega, double A, double h, do
 
 /* dOmega/dA along the response.
    Equation from (24). Domain: Omega > 0, A > 0. Operations: 18. Error / u (1 + kappa): measured 1.9. */
-SF_KERNEL double slow_flow_Omega_A(double Omega, double A, double m, double zeta, double h, double h_A)
-{
+SF_KERNEL double slow_flow_Omega_A(double Omega, double A, double m, double zeta, double h, double h_A) {
     const double t0 = Omega * Omega;
     const double R = A * t0 + h;
     const double t1 = 2.0 * Omega;
@@ -492,8 +445,7 @@ SF_KERNEL double slow_flow_Omega_A(double Omega, double A, double m, double zeta
 
 /* Positive where the level rises with A along the fold locus, negative where it falls.
    Equation from (24), (30). Domain: Omega > 0, A > 0. Operations: 28. Error / u (1 + kappa): measured 1.3. */
-SF_KERNEL double slow_flow_level_rise(double Omega, double A, double m, double zeta, double h, double h_A, double h_AA)
-{
+SF_KERNEL double slow_flow_level_rise(double Omega, double A, double m, double zeta, double h, double h_A, double h_AA) {
     const double t0 = Omega * Omega;
     const double R = A * t0 + h;
     const double t1 = A * Omega;
@@ -510,8 +462,7 @@ SF_KERNEL double slow_flow_level_rise(double Omega, double A, double m, double z
 
 /* Positive at a cusp where the level has a minimum along the fold locus, negative at a maximum; T = dR/dA.
    Equation from (24), (30). Domain: Omega > 0, A > 0. Operations: 30. Error / u (1 + kappa): measured 0.97. */
-SF_KERNEL double slow_flow_cusp_bend(double Omega, double A, double zeta, double h_AA, double h_AAA, double T)
-{
+SF_KERNEL double slow_flow_cusp_bend(double Omega, double A, double zeta, double h_AA, double h_AAA, double T) {
     const double t0 = Omega * Omega;
     const double t1 = 4.0 * t0 * zeta * zeta;
     const double R = (-T * T - t1) / h_AA;
@@ -525,8 +476,7 @@ SF_KERNEL double slow_flow_cusp_bend(double Omega, double A, double zeta, double
 
 /* The same at an isola point.
    Equation from (24), (30). Domain: Omega > 0, A > 0. Operations: 33. Error / u (1 + kappa): measured 1. */
-SF_KERNEL double slow_flow_isola_bend(double Omega, double A, double m, double zeta, double h_AA)
-{
+SF_KERNEL double slow_flow_isola_bend(double Omega, double A, double m, double zeta, double h_AA) {
     const double t0 = 2.0 * A;
     const double t1 = Omega * t0 * zeta + m;
     const double R = -t1 * zeta / Omega;
@@ -542,8 +492,7 @@ SF_KERNEL double slow_flow_isola_bend(double Omega, double A, double m, double z
 
 /* F_AA F_OmegaOmega - F_AOmega^2 at an isola point: negative at a saddle.
    Equation from (24), (30). Domain: Omega > 0, A > 0. Operations: 24. Error / u (1 + kappa): proved 14.01. */
-SF_KERNEL double slow_flow_isola_hessian(double Omega, double A, double m, double zeta, double h_AA)
-{
+SF_KERNEL double slow_flow_isola_hessian(double Omega, double A, double m, double zeta, double h_AA) {
     const double t0 = 2.0 * A;
     const double Omega2 = Omega * Omega;
     const double Omega3 = Omega * Omega2;
@@ -555,8 +504,7 @@ SF_KERNEL double slow_flow_isola_hessian(double Omega, double A, double m, doubl
 
 /* An amplitude of the size of that far above resonance.
    Equation from (24). Domain: Omega > 0, F_0 >= m. Operations: 7. Error / u (1 + kappa): measured 1.7. */
-SF_KERNEL double slow_flow_tail(double Omega, double F_0, double m)
-{
+SF_KERNEL double slow_flow_tail(double Omega, double F_0, double m) {
     const double square = (F_0 - m) * (F_0 + m);
     return sqrt(square) / (Omega * Omega + 1.0);
 }

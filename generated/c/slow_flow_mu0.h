@@ -17,8 +17,7 @@ SF_FAMILY_BEGIN
 
 /* F as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
    Equation (24). Domain: A > 0. Operations: 10. Error / u (1 + kappa): proved -, 0.0, 1.61, 0.34; measured 0.92. */
-SF_KERNEL void slow_flow_mu0_response_quartic(double A, double F_0, double m, double zeta, double h, double *out)
-{
+SF_KERNEL void slow_flow_mu0_response_quartic(double A, double F_0, double m, double zeta, double h, double *out) {
     const double t0 = A * A;
     out[0] = (-F_0 + h) * (F_0 + h);
     out[1] = 0.0;
@@ -29,8 +28,7 @@ SF_KERNEL void slow_flow_mu0_response_quartic(double A, double F_0, double m, do
 /* Reduced resultant of F and F_Omega: coefficients of F_0^0, F_0^2, ...; its roots are candidates for F_cr.
    Equation (34). Domain: A > 0. Operations: 14. Error / u (1 + kappa): proved 4.01, 5.67, 0.0. */
 #define SLOW_FLOW_MU0_DETACHMENT_COUNT 3
-SF_KERNEL void slow_flow_mu0_detachment(double A, double m, double zeta, double h, double *out)
-{
+SF_KERNEL void slow_flow_mu0_detachment(double A, double m, double zeta, double h, double *out) {
     const double t0 = h * h;
     const double zeta2 = zeta * zeta;
     const double t1 = A * zeta2;
@@ -44,8 +42,7 @@ SF_KERNEL void slow_flow_mu0_detachment(double A, double m, double zeta, double 
 /* Zero at a fold at F_0: R of (23) less the R of F = F_A = 0; its slope along A, and Omega.
    Equation from (24), (30). Domain: A > 0, F_0 > m, k^2 >= F_0^2 - m^2. Operations: 39. Error / u (1 + kappa):
    measured 1.4. */
-SF_KERNEL void slow_flow_mu0_fold(double A, double F_0, double m, double zeta, double h, double h_A, double k, double k_A, double *out)
-{
+SF_KERNEL void slow_flow_mu0_fold(double A, double F_0, double m, double zeta, double h, double h_A, double k, double k_A, double *out) {
     const double excess = F_0 * F_0;
     const double least = sqrt(excess);
     const double t0 = 1.0 / k;
@@ -66,8 +63,7 @@ SF_KERNEL void slow_flow_mu0_fold(double A, double F_0, double m, double zeta, d
 /* Zero at an isola point: F_Omega/(4 A) at its Omega, for m = 0 without the factor Omega; slope along A.
    Equation from (30), (34). Domain: A > 0, h_A > 0; for m = 0 any h_A. Operations: 9. Error / u (1 + kappa): proved
    2.34, 1.67. */
-SF_KERNEL void slow_flow_mu0_isola(double A, double m, double zeta, double h, double h_A, double h_AA, double *out)
-{
+SF_KERNEL void slow_flow_mu0_isola(double A, double m, double zeta, double h, double h_A, double h_AA, double *out) {
     const double t0 = 2.0 * zeta * zeta;
     const double bracket = A * (h_A + t0) + h;
     const double bracket_A = A * h_AA + 2.0 * h_A + t0;

@@ -18,8 +18,7 @@ SF_FAMILY_BEGIN
 /* Reduced resultant of F and F_Omega: coefficients of F_0^0, F_0^2, ...; its roots are candidates for F_cr.
    Equation (34). Domain: A > 0. Operations: 1. Error / u (1 + kappa): proved 0.34, 0.0. */
 #define SLOW_FLOW_MU0_ZETA0_DETACHMENT_COUNT 2
-SF_KERNEL void slow_flow_mu0_zeta0_detachment(double A, double m, double zeta, double h, double *out)
-{
+SF_KERNEL void slow_flow_mu0_zeta0_detachment(double A, double m, double zeta, double h, double *out) {
     out[0] = -h * h;
     out[1] = 1.0;
 }

@@ -18,8 +18,7 @@ static char all_double[SF_MOST_OPERANDS];
 static PyUFuncGenericFunction run[] = {sf_run};
 
 /* One ufunc; its data is the kernel's table entry, which lives as long as the process. */
-static PyObject *ufunc_of(const sf_kernel *kernel)
-{
+static PyObject *ufunc_of(const sf_kernel *kernel) {
     void **data = PyMem_Malloc(sizeof(void *));
     if (data == NULL)
         return PyErr_NoMemory();
@@ -29,8 +28,7 @@ static PyObject *ufunc_of(const sf_kernel *kernel)
 }
 
 /* The compiled kernels of a generated module, in the order in which it assigns them. */
-static PyObject *ufuncs_of(const sf_module *module)
-{
+static PyObject *ufuncs_of(const sf_module *module) {
     PyObject *ufuncs = PyTuple_New(module->count);
     for (int i = 0; ufuncs != NULL && i < module->count; i++) {
         PyObject *ufunc = ufunc_of(&module->kernels[i]);
@@ -63,8 +61,7 @@ static PyMethodDef methods[] = {
     {NULL, NULL, 0, NULL},
 };
 
-static int fill(PyObject *self)
-{
+static int fill(PyObject *self) {
     if (PyArray_ImportNumPyAPI() < 0 || PyUFunc_ImportUFuncAPI() < 0)
         return -1;
     for (int i = 0; i < SF_MOST_OPERANDS; i++)
@@ -81,7 +78,6 @@ static struct PyModuleDef definition = {
     PyModuleDef_HEAD_INIT, "_native", "Compiled kernels.", 0, methods, slots, NULL, NULL, NULL,
 };
 
-PyMODINIT_FUNC PyInit__native(void)
-{
+PyMODINIT_FUNC PyInit__native(void) {
     return PyModuleDef_Init(&definition);
 }

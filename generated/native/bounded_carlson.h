@@ -12,8 +12,7 @@
 /* R_F of numbers that are nearly equal, over their mean to the power -1/2: x, y are what the first two lack of the
  * mean, over it. Terms of degree 4 and more, below 2^-50, are doubles; what they err by and the terms of degree 8 and more,
  * which are left out, are below SFB_ERROR: the coefficient of degree N is no larger than N + 1. */
-static inline sf_bounded bounded_carlson_R_F_series(sf_bounded x, sf_bounded y)
-{
+static inline sf_bounded bounded_carlson_R_F_series(sf_bounded x, sf_bounded y) {
     const sf_bounded z = SUB(NEG(x), y);
     const sf_bounded t0 = MUL(x, y);
     const sf_bounded E2 = ADD(ADD(t0, MUL(x, z)), MUL(y, z));
@@ -32,8 +31,7 @@ static inline sf_bounded bounded_carlson_R_F_series(sf_bounded x, sf_bounded y)
 /* R_D of numbers that are nearly equal, over their mean to the power -3/2: x, y are what the first two lack of the
  * mean, over it. Terms of degree 4 and more, below 2^-50, are doubles; what they err by and the terms of degree 8 and more,
  * which are left out, are below SFB_ERROR: the coefficient of degree N is no larger than N + 1. */
-static inline sf_bounded bounded_carlson_R_D_series(sf_bounded x, sf_bounded y)
-{
+static inline sf_bounded bounded_carlson_R_D_series(sf_bounded x, sf_bounded y) {
     const sf_bounded z = SUB(NEG(MUL(CONSTANT(0.33333333333333331, 1.8503717077085941e-17), x)),
         MUL(CONSTANT(0.33333333333333331, 1.8503717077085941e-17), y));
     const sf_bounded z2 = SQUARE(z);

@@ -16,22 +16,19 @@
 
 /* I_0 - A I_0A: friction acts throughout.
    Equation from (19). Domain: A > 0. */
-static inline sf_interval dissipation_intervals_rest_intercept(sf_interval m)
-{
+static inline sf_interval dissipation_intervals_rest_intercept(sf_interval m) {
     return m;
 }
 
 /* The same where friction acts for |u| < u_cr only.
    Equation from (19). Domain: A >= u_cr > 0. */
-static inline sf_interval dissipation_intervals_released_intercept(sf_interval A, sf_interval m, sf_interval u_cr)
-{
+static inline sf_interval dissipation_intervals_released_intercept(sf_interval A, sf_interval m, sf_interval u_cr) {
     return DIV(MUL(TIMES(2.0, m), u_cr), A);
 }
 
 /* I - A I_A, by that of I_0.
    Equation from (23). Domain: Omega >= 0, A > 0. */
-static inline sf_interval dissipation_intervals_sine_intercept(sf_interval Omega, sf_interval A, sf_interval level, sf_interval zeta_A, sf_interval d, sf_interval d_3)
-{
+static inline sf_interval dissipation_intervals_sine_intercept(sf_interval Omega, sf_interval A, sf_interval level, sf_interval zeta_A, sf_interval d, sf_interval d_3) {
     const sf_interval A2 = SQUARE(A);
     const sf_interval Omega2 = SQUARE(Omega);
     const sf_interval A3 = MUL(A, A2);
@@ -42,16 +39,14 @@ static inline sf_interval dissipation_intervals_sine_intercept(sf_interval Omega
 
 /* The same over Omega^2, at x = 1/Omega.
    Equation from (23). Domain: x >= 0, A > 0. */
-static inline sf_interval dissipation_intervals_sine_intercept_far(sf_interval x, sf_interval A, sf_interval level, sf_interval zeta_A, sf_interval d)
-{
+static inline sf_interval dissipation_intervals_sine_intercept_far(sf_interval x, sf_interval A, sf_interval level, sf_interval zeta_A, sf_interval d) {
     const sf_interval t0 = SQUARE(A);
     return SUB(ADD(NEG(MUL(d, t0)), BY_SQUARE(level, x)), MUL(MUL(TIMES(2.0, t0), x), zeta_A));
 }
 
 /* d2I/dA2.
    Equation (23). Domain: Omega > 0, A > 0. */
-static inline sf_interval dissipation_intervals_I_AA(sf_interval Omega, sf_interval A, sf_interval I_0AA, sf_interval zeta_A, sf_interval zeta_AA, sf_interval d, sf_interval d_3)
-{
+static inline sf_interval dissipation_intervals_I_AA(sf_interval Omega, sf_interval A, sf_interval I_0AA, sf_interval zeta_A, sf_interval zeta_AA, sf_interval d, sf_interval d_3) {
     const sf_interval Omega2 = SQUARE(Omega);
     const sf_interval Omega3 = MUL(Omega, Omega2);
     return ADD(ADD(ADD(ADD(MUL(MUL(TIMES(2.0, A), Omega), zeta_AA), MUL(MUL(TIMES(6.0, A), Omega3), d_3)),
@@ -60,16 +55,14 @@ static inline sf_interval dissipation_intervals_I_AA(sf_interval Omega, sf_inter
 
 /* d2I/dA2 over it.
    Equation (23). Domain: x >= 0, A > 0. */
-static inline sf_interval dissipation_intervals_I_AA_far(sf_interval x, sf_interval A, sf_interval I_0AA, sf_interval zeta_A, sf_interval zeta_AA, sf_interval d)
-{
+static inline sf_interval dissipation_intervals_I_AA_far(sf_interval x, sf_interval A, sf_interval I_0AA, sf_interval zeta_A, sf_interval zeta_AA, sf_interval d) {
     return ADD(ADD(ADD(MUL(MUL(TIMES(2.0, A), x), zeta_AA), BY_SQUARE(I_0AA, x)), TIMES(2.0, d)), MUL(TIMES(4.0,
         x), zeta_A));
 }
 
 /* R where F_Omega = 0, by I at Omega = 0.
    Equation from (24). Domain: Omega > 0, A > 0. */
-static inline sf_interval dissipation_intervals_R_of_peak_by_rest(sf_interval Omega, sf_interval A, sf_interval I_0, sf_interval zeta, sf_interval d, sf_interval d_3)
-{
+static inline sf_interval dissipation_intervals_R_of_peak_by_rest(sf_interval Omega, sf_interval A, sf_interval I_0, sf_interval zeta, sf_interval d, sf_interval d_3) {
     const sf_interval t0 = MUL(A, Omega);
     const sf_interval t1 = MUL(d, t0);
     return SUB(SUB(NEG(MUL(MUL(MUL(BY_SQUARE(POINT(0.5), A), Omega), d_3), ADD(TIMES(3.0, I_0), MUL(t0,
@@ -79,16 +72,14 @@ static inline sf_interval dissipation_intervals_R_of_peak_by_rest(sf_interval Om
 
 /* A Omega by I; no less than it where cubic damping dissipates too.
    Equation from (23). Domain: I >= I_0. */
-static inline sf_interval dissipation_intervals_velocity(sf_interval I_, sf_interval I_0, sf_interval zeta, sf_interval d)
-{
+static inline sf_interval dissipation_intervals_velocity(sf_interval I_, sf_interval I_0, sf_interval zeta, sf_interval d) {
     const sf_interval t0 = SUB(I_, I_0);
     return DIV(t0, ADD(zeta, SQRT(ADD(MUL(d, t0), SQUARE(zeta)))));
 }
 
 /* R x^2, D x^4, I x^3 and I_A x^3 at x = 1/Omega, where F_AOmega/(4 Omega) = R + A R_A + D.
    Equation from (30). Domain: x >= 0, A > 0. */
-static inline void dissipation_intervals_turn_terms(sf_interval x, sf_interval A, sf_interval I_0, sf_interval I_0A, sf_interval zeta, sf_interval zeta_A, sf_interval d, sf_interval d_3, sf_interval h, sf_interval *out)
-{
+static inline void dissipation_intervals_turn_terms(sf_interval x, sf_interval A, sf_interval I_0, sf_interval I_0A, sf_interval zeta, sf_interval zeta_A, sf_interval d, sf_interval d_3, sf_interval h, sf_interval *out) {
     const sf_interval x2 = SQUARE(x);
     const sf_interval A2 = SQUARE(A);
     const sf_interval A4 = SQUARE(A2);

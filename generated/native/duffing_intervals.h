@@ -12,8 +12,7 @@
 
 /* The parameters from the design, and what the force loses at each breakpoint.
    Equation (5)-(7). Domain: any design. */
-static inline void duffing_intervals_given(sf_interval alpha, sf_interval beta, sf_interval gamma, sf_interval *out)
-{
+static inline void duffing_intervals_given(sf_interval alpha, sf_interval beta, sf_interval gamma, sf_interval *out) {
     out[0] = alpha;
     out[1] = beta;
     out[2] = gamma;
@@ -21,8 +20,7 @@ static inline void duffing_intervals_given(sf_interval alpha, sf_interval beta, 
 
 /* h, h_A, h_AA, h_AAA, h - A h_A together.
    Equation (20)-(22), (31). Domain: A >= 0. */
-static inline void duffing_intervals_known(sf_interval A, const sf_interval *p, sf_interval *out)
-{
+static inline void duffing_intervals_known(sf_interval A, const sf_interval *p, sf_interval *out) {
     const sf_interval alpha = p[0], beta = p[1], gamma = p[2];
     const sf_interval t0 = SQUARE(A);
     const sf_interval gamma_A2 = MUL(gamma, t0);

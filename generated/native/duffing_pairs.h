@@ -12,8 +12,7 @@
 
 /* The parameters from the design, and what the force loses at each breakpoint.
    Equation (5)-(7). Domain: any design. */
-static inline void duffing_pairs_given(sf_pair alpha, sf_pair beta, sf_pair gamma, sf_pair *out)
-{
+static inline void duffing_pairs_given(sf_pair alpha, sf_pair beta, sf_pair gamma, sf_pair *out) {
     out[0] = alpha;
     out[1] = beta;
     out[2] = gamma;
@@ -21,8 +20,7 @@ static inline void duffing_pairs_given(sf_pair alpha, sf_pair beta, sf_pair gamm
 
 /* h, h_A, h_AA, h_AAA, h - A h_A together.
    Equation (20)-(22), (31). Domain: A >= 0. */
-static inline void duffing_pairs_known(sf_pair A, const sf_pair *p, sf_pair *out)
-{
+static inline void duffing_pairs_known(sf_pair A, const sf_pair *p, sf_pair *out) {
     const sf_pair alpha = p[0], beta = p[1], gamma = p[2];
     const sf_pair t0 = SQUARE(A);
     const sf_pair gamma_A2 = MUL(gamma, t0);

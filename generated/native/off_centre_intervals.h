@@ -13,8 +13,7 @@
 #include "arithmetic_intervals.h"
 
 /* What vanishes at a steady state, by coordinates x and y of the motion's ends: the balance of the mean and F; slopes of each by x and y. */
-static inline void off_centre_intervals_ended_state(sf_interval Omega, sf_interval A, sf_interval force, sf_interval I_, sf_interval I_A, sf_interval load, sf_interval c_0, sf_interval s_0, sf_interval c_x, sf_interval c_y, sf_interval X, sf_interval Y, sf_interval *out)
-{
+static inline void off_centre_intervals_ended_state(sf_interval Omega, sf_interval A, sf_interval force, sf_interval I_, sf_interval I_A, sf_interval load, sf_interval c_0, sf_interval s_0, sf_interval c_x, sf_interval c_y, sf_interval X, sf_interval Y, sf_interval *out) {
     const sf_interval t0 = TIMES(2.0, s_0);
     const sf_interval t1 = SQUARE(Omega);
     const sf_interval R = SUB(MUL(A, t1), t0);
@@ -30,16 +29,14 @@ static inline void off_centre_intervals_ended_state(sf_interval Omega, sf_interv
 }
 
 /* Along the balance, by coordinates of the motion's ends: A's slope, and what F_A gains there by R. */
-static inline void off_centre_intervals_ended_along(sf_interval A, sf_interval s_0, sf_interval c_x, sf_interval c_y, sf_interval X, sf_interval Y, sf_interval *out)
-{
+static inline void off_centre_intervals_ended_along(sf_interval A, sf_interval s_0, sf_interval c_x, sf_interval c_y, sf_interval X, sf_interval Y, sf_interval *out) {
     const sf_interval t0 = ADD(NEG(MUL(X, c_y)), MUL(Y, c_x));
     out[0] = t0;
     out[1] = ADD(MUL(MUL(A, c_x), c_y), MUL(s_0, t0));
 }
 
 /* Slopes of s_0 by coordinates x and y of the motion's ends, and of c_x by y. */
-static inline void off_centre_intervals_ended_slopes(sf_interval A, sf_interval s_0, sf_interval c_x, sf_interval c_y, sf_interval X, sf_interval Y, sf_interval *out)
-{
+static inline void off_centre_intervals_ended_slopes(sf_interval A, sf_interval s_0, sf_interval c_x, sf_interval c_y, sf_interval X, sf_interval Y, sf_interval *out) {
     const sf_interval t0 = INVERSE(A);
     const sf_interval t1 = MUL(s_0, t0);
     out[0] = ADD(NEG(MUL(X, t1)), c_x);
@@ -48,8 +45,7 @@ static inline void off_centre_intervals_ended_slopes(sf_interval A, sf_interval 
 }
 
 /* What vanishes at a fold, by R, with the force F_0 + F_2 Omega^2, by coordinates x and y of the motion's ends: the balance, F along it times A/2, and F; slopes of each by x, y and R. */
-static inline void off_centre_intervals_ended_fold(sf_interval R, sf_interval A, sf_interval F_0, sf_interval F_2, sf_interval m, sf_interval eta, sf_interval zeta, sf_interval d, sf_interval load, sf_interval c_0, sf_interval s_0, sf_interval c_x, sf_interval c_y, sf_interval c_xx, sf_interval c_yy, sf_interval X, sf_interval Y, sf_interval X_x, sf_interval Y_y, sf_interval *out)
-{
+static inline void off_centre_intervals_ended_fold(sf_interval R, sf_interval A, sf_interval F_0, sf_interval F_2, sf_interval m, sf_interval eta, sf_interval zeta, sf_interval d, sf_interval load, sf_interval c_0, sf_interval s_0, sf_interval c_x, sf_interval c_y, sf_interval c_xx, sf_interval c_yy, sf_interval X, sf_interval Y, sf_interval X_x, sf_interval Y_y, sf_interval *out) {
     const sf_interval t0 = INVERSE(A);
     const sf_interval t1 = ADD(R, TIMES(2.0, s_0));
     const sf_interval square = MUL(t0, t1);
@@ -110,15 +106,13 @@ static inline void off_centre_intervals_ended_fold(sf_interval R, sf_interval A,
 }
 
 /* (c_1^2 - s_1^2)/c_1 of an odd force without a load where f_0 = 0 and B is not 0, with c_3 and s_2 of some B between 0 and there. */
-static inline sf_interval off_centre_intervals_beside(sf_interval B, sf_interval c_3, sf_interval s_2)
-{
+static inline sf_interval off_centre_intervals_beside(sf_interval B, sf_interval c_3, sf_interval s_2) {
     return SUB(MUL(CONSTANT(0.33333333333333331, 1.8503717077085941e-17), MUL(SQUARE(B), c_3)), DIV(TIMES(3.0,
         SQUARE(s_2)), c_3));
 }
 
 /* L_-1, L_0, M_-1, M_0 of a step at B + a that the motion passes at psi = angle. */
-static inline void off_centre_intervals_begin(sf_interval A, sf_interval a, sf_interval root, sf_interval angle, sf_interval *out)
-{
+static inline void off_centre_intervals_begin(sf_interval A, sf_interval a, sf_interval root, sf_interval angle, sf_interval *out) {
     const sf_interval t0 = DIV(CONSTANT(0.31830988618379069, -1.9678676675182486e-17), root);
     const sf_interval t1 = INVERSE(A);
     out[0] = t0;
@@ -128,8 +122,7 @@ static inline void off_centre_intervals_begin(sf_interval A, sf_interval a, sf_i
 }
 
 /* L_(k-2) and M_(k-2) from the two above each. */
-static inline void off_centre_intervals_down(sf_interval k, sf_interval A, sf_interval a, sf_interval root, sf_interval L_1, sf_interval L_k, sf_interval M_1, sf_interval M_k, sf_interval *out)
-{
+static inline void off_centre_intervals_down(sf_interval k, sf_interval A, sf_interval a, sf_interval root, sf_interval L_1, sf_interval L_k, sf_interval M_1, sf_interval M_k, sf_interval *out) {
     const sf_interval t0 = INVERSE(SQUARE(root));
     const sf_interval t1 = TIMES(2.0, k);
     const sf_interval t2 = ADD(k, POINT(1.0));

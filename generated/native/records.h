@@ -27,8 +27,7 @@
 #include "record_members.h"
 
 /* mu, zeta -> m, zeta */
-static int records_damping_of(const double *given, double *damping)
-{
+static int records_damping_of(const double *given, double *damping) {
     if (!(given[0] >= 0.0 && given[0] < INFINITY && given[1] >= 0.0 && given[1] < INFINITY))
         return 0;
     damping[0] = slow_flow_friction(given[0]);
@@ -36,18 +35,15 @@ static int records_damping_of(const double *given, double *damping)
     return 1;
 }
 
-static int records_is_forcing(double F_0)
-{
+static int records_is_forcing(double F_0) {
     return F_0 > 0.0 && F_0 < INFINITY;
 }
 
-static double records_dissipation(double Omega, double A, const double *damping)
-{
+static double records_dissipation(double Omega, double A, const double *damping) {
     return slow_flow_I(Omega, A, damping[0], damping[1]);
 }
 
-static double records_level(double Omega, double A, const double *damping, double h)
-{
+static double records_level(double Omega, double A, const double *damping, double h) {
     return slow_flow_level(Omega, A, damping[0], damping[1], h);
 }
 
@@ -61,8 +57,7 @@ static double records_level(double Omega, double A, const double *damping, doubl
     .by_design = mechanism##_record_by_design, .dissipation = records_dissipation, .level = records_level, \
     .mean_offset = records_centred
 
-static int duffing_record_parameters_of(const sf_mechanism *self, const double *design, double *p)
-{
+static int duffing_record_parameters_of(const sf_mechanism *self, const double *design, double *p) {
     (void)self;
     if (!(design[0] > -INFINITY && design[0] < INFINITY && design[1] > -INFINITY && design[1] < INFINITY &&
           design[2] > -INFINITY && design[2] < INFINITY))
@@ -71,8 +66,7 @@ static int duffing_record_parameters_of(const sf_mechanism *self, const double *
     return 1;
 }
 
-static int rod_spring_record_parameters_of(const sf_mechanism *self, const double *design, double *p)
-{
+static int rod_spring_record_parameters_of(const sf_mechanism *self, const double *design, double *p) {
     (void)self;
     if (!(design[0] > 0.0 && design[0] < INFINITY && design[1] > 0.0 && design[1] < INFINITY && design[2] >= 0.0 &&
           design[2] < 1.0))
@@ -81,8 +75,7 @@ static int rod_spring_record_parameters_of(const sf_mechanism *self, const doubl
     return 1;
 }
 
-static int rod_spring_untruncated_record_parameters_of(const sf_mechanism *self, const double *design, double *p)
-{
+static int rod_spring_untruncated_record_parameters_of(const sf_mechanism *self, const double *design, double *p) {
     (void)self;
     if (!(design[0] > 0.0 && design[0] < INFINITY && design[1] > 0.0 && design[1] < INFINITY && design[2] >= 0.0 &&
           design[2] < 1.0))
@@ -137,8 +130,7 @@ OF_DESIGN(rod_spring_record_by_design, double, rod_spring_by_design(design[0], d
 OF_DESIGN(rod_spring_record_parameters_within, sf_interval, rod_spring_intervals_given(sfi_point(design[0]), sfi_point(design[1]), sfi_point(design[2]), out))
 OF_DESIGN(rod_spring_record_parameters_in_pairs, sf_pair, rod_spring_pairs_given(sfp_point(design[0]), sfp_point(design[1]), sfp_point(design[2]), out))
 
-static inline int rod_spring_record_averaged_regime(double A, const double *p)
-{
+static inline int rod_spring_record_averaged_regime(double A, const double *p) {
     const double u_cr = p[3];
     return A <= u_cr ? 0 : A <= 1.05 * u_cr ? 1 : 2;
 }
@@ -208,8 +200,7 @@ ROWS(rod_spring_untruncated_record_averaged_loop, rod_spring_untruncated_average
 SUMS(rod_spring_untruncated_record_averaged, rod_spring_untruncated_record_averaged_loop(n, n, A, p, out))
 ROWS(rod_spring_untruncated_record_averaged_2_loop, rod_spring_untruncated_averaged_2, 2)
 SUMS(rod_spring_untruncated_record_averaged_2, rod_spring_untruncated_record_averaged_2_loop(n, n, A, p, out))
-static inline int rod_spring_untruncated_record_harmonics_regime(double A, const double *p)
-{
+static inline int rod_spring_untruncated_record_harmonics_regime(double A, const double *p) {
     const double delta_h = p[2];
     return A <= sqrt(-delta_h * delta_h + 2.0 * delta_h) ? 0 : 1;
 }
@@ -222,8 +213,7 @@ INTERCEPT(rod_spring_untruncated_record_intercept, rod_spring_untruncated_interc
 BY_PARAMETER(rod_spring_untruncated_record_by_parameter, rod_spring_untruncated_by_parameter)
 
 /* In place of its average where A exceeds the breakpoint, by so much, `parts` of them. */
-static void rod_spring_untruncated_record_parts(sf_bounded beyond, const sf_bounded *p, sf_bounded *out)
-{
+static void rod_spring_untruncated_record_parts(sf_bounded beyond, const sf_bounded *p, sf_bounded *out) {
     sf_bounded ends[5];
     bounded_carlson integrals;
     rod_spring_untruncated_bounded_ends(beyond, p, ends);
@@ -233,8 +223,7 @@ static void rod_spring_untruncated_record_parts(sf_bounded beyond, const sf_boun
 
 /* h, h_A, h_AA, h_AAA and h - A h_A */
 static void rod_spring_untruncated_record_averaged_within(const sf_mechanism *self, int passed, sf_interval A, sf_interval beyond,
-                                                           const sf_interval *p, sf_interval *out)
-{
+                                                           const sf_interval *p, sf_interval *out) {
     sf_bounded parts[5], parameters[SF_MOST_PARAMETERS];
     sf_interval part[5];
     int i;
@@ -256,8 +245,7 @@ static void rod_spring_untruncated_record_averaged_within(const sf_mechanism *se
 
 /* h, h_A, h_AA, h_AAA */
 static void rod_spring_untruncated_record_averaged_in_pairs(const sf_mechanism *self, int passed, int wanted, sf_pair A, sf_pair beyond,
-                                                    const sf_pair *p, sf_pair *out)
-{
+                                                    const sf_pair *p, sf_pair *out) {
     sf_pair all[5];
     int i;
     (void)self, (void)wanted;

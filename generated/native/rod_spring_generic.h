@@ -7,16 +7,14 @@
 SF_FAMILY_BEGIN
 
 /* The |u| at which a piece of the force ends. */
-KERNEL void OF(breakpoints)(const REAL *p, REAL *out)
-{
+KERNEL void OF(breakpoints)(const REAL *p, REAL *out) {
     const REAL u_cr = p[3];
     out[0] = u_cr;
 }
 
 /* The parameters from the design, and what the force loses at each breakpoint.
    Equation (5)-(7). Domain: any design. */
-KERNEL void OF(given)(REAL lam, REAL r, REAL delta_h, REAL *out)
-{
+KERNEL void OF(given)(REAL lam, REAL r, REAL delta_h, REAL *out) {
     const REAL u_cr = MUL(SQRT(delta_h), SQRT(SUB(POINT(2.0), delta_h)));
     const REAL t0 = MUL(lam, r);
     const REAL t1 = MUL(t0, SUB(delta_h, POINT(1.0)));
@@ -32,8 +30,7 @@ KERNEL void OF(given)(REAL lam, REAL r, REAL delta_h, REAL *out)
 
 /* h, h_A, h_AA, h_AAA, h - A h_A together.
    Equation (20)-(22), (31). Domain: A >= 0. */
-KERNEL void OF(known_passed_0)(REAL A, REAL beyond, const REAL *p, REAL *out)
-{
+KERNEL void OF(known_passed_0)(REAL A, REAL beyond, const REAL *p, REAL *out) {
     const REAL alpha = p[0], beta = p[1], gamma = p[2];
     const REAL t0 = NEG(alpha);
     const REAL A2 = SQUARE(A);
@@ -47,8 +44,7 @@ KERNEL void OF(known_passed_0)(REAL A, REAL beyond, const REAL *p, REAL *out)
     out[4] = MUL(A3, ADD(TIMES(1.5, beta), TIMES(2.5, t1)));
 }
 
-KERNEL void OF(known_passed_1)(REAL A, REAL beyond, const REAL *p, REAL *out)
-{
+KERNEL void OF(known_passed_1)(REAL A, REAL beyond, const REAL *p, REAL *out) {
     const REAL alpha = p[0], beta = p[1], gamma = p[2], u_cr = p[3], jump_1 = p[4];
     const REAL root = MUL(SQRT(beyond), SQRT(ADD(A, u_cr)));
     const REAL t0 = INVERSE(A);
@@ -105,8 +101,7 @@ KERNEL void OF(known_passed_1)(REAL A, REAL beyond, const REAL *p, REAL *out)
         TIMES(4.0, MUL(A5, t5))), MUL(t0, t19)));
 }
 
-KERNEL void OF(known_passed_1_far_1)(REAL A, REAL beyond, const REAL *p, REAL *out)
-{
+KERNEL void OF(known_passed_1_far_1)(REAL A, REAL beyond, const REAL *p, REAL *out) {
     const REAL alpha = p[0], beta = p[1], gamma = p[2], u_cr = p[3], jump_1 = p[4];
     const REAL root = MUL(SQRT(beyond), SQRT(ADD(A, u_cr)));
     const REAL t0 = INVERSE(A);

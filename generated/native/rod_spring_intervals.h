@@ -16,8 +16,7 @@
 
 /* h, h_A, h_AA, h_AAA, h - A h_A together.
    Equation (20)-(22), (31). Domain: A >= 0. */
-static inline void rod_spring_intervals_known(int passed, sf_interval A, sf_interval beyond, const sf_interval *p, sf_interval *out)
-{
+static inline void rod_spring_intervals_known(int passed, sf_interval A, sf_interval beyond, const sf_interval *p, sf_interval *out) {
     const sf_interval u_cr = p[3];
     if (passed == 0)
         rod_spring_intervals_known_passed_0(A, beyond, p, out);

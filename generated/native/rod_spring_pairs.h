@@ -16,8 +16,7 @@
 
 /* h, h_A, h_AA, h_AAA, h - A h_A together.
    Equation (20)-(22), (31). Domain: A >= 0. */
-TWOFOLD_INLINE void rod_spring_pairs_known(int passed, sf_pair A, sf_pair beyond, const sf_pair *p, sf_pair *out)
-{
+TWOFOLD_INLINE void rod_spring_pairs_known(int passed, sf_pair A, sf_pair beyond, const sf_pair *p, sf_pair *out) {
     const sf_pair u_cr = p[3];
     if (passed == 0)
         rod_spring_pairs_known_passed_0(A, beyond, p, out);

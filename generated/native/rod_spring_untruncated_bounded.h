@@ -16,8 +16,7 @@ SF_FAMILY_BEGIN
 
 /* A; sqrt(1 - u_cr^2); sine, cosine and angle of where the first piece ends.
    Equation (5). Domain: beyond > 0. */
-static inline void rod_spring_untruncated_bounded_ends(sf_bounded beyond, const sf_bounded *p, sf_bounded *out)
-{
+static inline void rod_spring_untruncated_bounded_ends(sf_bounded beyond, const sf_bounded *p, sf_bounded *out) {
     const sf_bounded delta_h = p[2];
     const sf_bounded u_cr = SQRT(ADD(NEG(SQUARE(delta_h)), TIMES(2.0, delta_h)));
     const sf_bounded c = SUB(POINT(1.0), delta_h);
@@ -36,8 +35,7 @@ static inline void rod_spring_untruncated_bounded_ends(sf_bounded beyond, const 
 
 /* The average without the last piece, over b: h, h_A, h_AA, h_AAA, h - A h_A by Carlson's integrals.
    Equation (20)-(22), (31). Domain: A > u_cr. */
-static inline void rod_spring_untruncated_bounded_parts(sf_bounded A, sf_bounded c, sf_bounded x, sf_bounded y, sf_bounded theta, sf_bounded of_first, sf_bounded of_second, sf_bounded *out)
-{
+static inline void rod_spring_untruncated_bounded_parts(sf_bounded A, sf_bounded c, sf_bounded x, sf_bounded y, sf_bounded theta, sf_bounded of_first, sf_bounded of_second, sf_bounded *out) {
     const sf_bounded F = MUL(of_first, x);
     const sf_bounded x2 = SQUARE(x);
     const sf_bounded x3 = MUL(x, x2);

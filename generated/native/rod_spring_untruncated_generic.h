@@ -8,8 +8,7 @@
 SF_FAMILY_BEGIN
 
 /* Steps of the arithmetic-geometric mean, with the sum of its differences and that of their squares by weight. */
-SF_COMMON void OF(means)(REAL quarter, int turns, REAL *state)
-{
+SF_COMMON void OF(means)(REAL quarter, int turns, REAL *state) {
     SF_UNROLLED
     for (int turn = 0; turn < turns; turn++) {
         const REAL a = state[0], b = state[1], e = state[2], total = state[3], squares = state[4];
@@ -24,16 +23,14 @@ SF_COMMON void OF(means)(REAL quarter, int turns, REAL *state)
 }
 
 /* The |u| at which a piece of the force ends. */
-KERNEL void OF(breakpoints)(const REAL *p, REAL *out)
-{
+KERNEL void OF(breakpoints)(const REAL *p, REAL *out) {
     const REAL delta_h = p[2];
     out[0] = SQRT(ADD(NEG(SQUARE(delta_h)), TIMES(2.0, delta_h)));
 }
 
 /* The parameters from the design, and what the force loses at each breakpoint.
    Equation (5)-(7). Domain: any design. */
-KERNEL void OF(given)(REAL lam, REAL r, REAL delta_h, REAL *out)
-{
+KERNEL void OF(given)(REAL lam, REAL r, REAL delta_h, REAL *out) {
     const REAL t0 = MUL(lam, r);
     out[0] = ADD(NEG(MUL(delta_h, t0)), POINT(1.0));
     out[1] = NEG(TIMES(0.5, MUL(t0, SUB(delta_h, POINT(1.0)))));
@@ -43,8 +40,7 @@ KERNEL void OF(given)(REAL lam, REAL r, REAL delta_h, REAL *out)
 
 /* What the slope of the force loses at each breakpoint.
    Equation (5). Domain: any parameters. */
-KERNEL void OF(kinks)(const REAL *p, REAL *out)
-{
+KERNEL void OF(kinks)(const REAL *p, REAL *out) {
     const REAL alpha = p[0], beta = p[1], delta_h = p[2];
     const REAL u_cr = SQRT(ADD(NEG(SQUARE(delta_h)), TIMES(2.0, delta_h)));
     const REAL c = SUB(POINT(1.0), delta_h);
@@ -56,8 +52,7 @@ KERNEL void OF(kinks)(const REAL *p, REAL *out)
 
 /* h, h_A, h_AA, h_AAA, h - A h_A together. Where A does not exceed the breakpoint, nor 7/10.
    Equation (20)-(22), (31). Domain: A >= 0. */
-KERNEL void OF(attached)(REAL A, const REAL *p, REAL *out)
-{
+KERNEL void OF(attached)(REAL A, const REAL *p, REAL *out) {
     const REAL alpha = p[0], beta = p[1];
     const REAL m = SQUARE(A);
     const REAL t0 = ADD(A, POINT(1.0));
@@ -97,8 +92,7 @@ KERNEL void OF(attached)(REAL A, const REAL *p, REAL *out)
 
 /* h, h_A, h_AA, h_AAA, h - A h_A together. Where A does not exceed the breakpoint.
    Equation (20)-(22), (31). Domain: A >= 0. */
-KERNEL void OF(attached_steep)(REAL A, const REAL *p, REAL *out)
-{
+KERNEL void OF(attached_steep)(REAL A, const REAL *p, REAL *out) {
     const REAL alpha = p[0], beta = p[1];
     const REAL m = SQUARE(A);
     const REAL t0 = ADD(A, POINT(1.0));
@@ -138,8 +132,7 @@ KERNEL void OF(attached_steep)(REAL A, const REAL *p, REAL *out)
 
 /* The same where it does, from the parts.
    Equation (20)-(22), (31). Domain: A >= 0. */
-KERNEL void OF(detached)(REAL A, REAL part_0, REAL part_1, REAL part_2, REAL part_3, REAL part_4, const REAL *p, REAL *out)
-{
+KERNEL void OF(detached)(REAL A, REAL part_0, REAL part_1, REAL part_2, REAL part_3, REAL part_4, const REAL *p, REAL *out) {
     const REAL beta = p[1];
     const REAL t0 = TIMES(2.0, beta);
     out[0] = ADD(NEG(A), TIMES(2.0, MUL(beta, part_0)));

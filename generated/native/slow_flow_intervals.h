@@ -17,28 +17,24 @@
 SF_FAMILY_BEGIN
 
 /* Dry friction's share of I. */
-static inline sf_interval slow_flow_intervals_friction(sf_interval mu)
-{
+static inline sf_interval slow_flow_intervals_friction(sf_interval mu) {
     return MUL(CONSTANT(1.2732395447351628, -7.8714706700729944e-17), mu);
 }
 
 /* Cosine balance, -F_0 cos phi at a fixed point. */
-static inline sf_interval slow_flow_intervals_R(sf_interval Omega, sf_interval A, sf_interval h)
-{
+static inline sf_interval slow_flow_intervals_R(sf_interval Omega, sf_interval A, sf_interval h) {
     return ADD(MUL(A, SQUARE(Omega)), h);
 }
 
 /* Frequency response; zero at a steady state. */
-static inline sf_interval slow_flow_intervals_F(sf_interval Omega, sf_interval A, sf_interval F_0, sf_interval m, sf_interval zeta, sf_interval h)
-{
+static inline sf_interval slow_flow_intervals_F(sf_interval Omega, sf_interval A, sf_interval F_0, sf_interval m, sf_interval zeta, sf_interval h) {
     const sf_interval R = ADD(MUL(A, SQUARE(Omega)), h);
     const sf_interval I_ = ADD(TIMES(2.0, MUL(MUL(A, Omega), zeta)), m);
     return ADD(SQUARE(R), MUL(ADD(NEG(F_0), I_), ADD(F_0, I_)));
 }
 
 /* dF/dA; positive where stable. */
-static inline sf_interval slow_flow_intervals_F_A(sf_interval Omega, sf_interval A, sf_interval m, sf_interval zeta, sf_interval h, sf_interval h_A)
-{
+static inline sf_interval slow_flow_intervals_F_A(sf_interval Omega, sf_interval A, sf_interval m, sf_interval zeta, sf_interval h, sf_interval h_A) {
     const sf_interval t0 = SQUARE(Omega);
     const sf_interval R = ADD(MUL(A, t0), h);
     const sf_interval t1 = TIMES(2.0, MUL(Omega, zeta));
@@ -47,8 +43,7 @@ static inline sf_interval slow_flow_intervals_F_A(sf_interval Omega, sf_interval
 }
 
 /* d2F/dA2. */
-static inline sf_interval slow_flow_intervals_F_AA(sf_interval Omega, sf_interval A, sf_interval m, sf_interval zeta, sf_interval h, sf_interval h_A, sf_interval h_AA)
-{
+static inline sf_interval slow_flow_intervals_F_AA(sf_interval Omega, sf_interval A, sf_interval m, sf_interval zeta, sf_interval h, sf_interval h_A, sf_interval h_AA) {
     const sf_interval t0 = SQUARE(Omega);
     const sf_interval R = ADD(MUL(A, t0), h);
     const sf_interval t1 = ADD(h_A, t0);
@@ -56,16 +51,14 @@ static inline sf_interval slow_flow_intervals_F_AA(sf_interval Omega, sf_interva
 }
 
 /* dF/dOmega. */
-static inline sf_interval slow_flow_intervals_F_Omega(sf_interval Omega, sf_interval A, sf_interval m, sf_interval zeta, sf_interval h)
-{
+static inline sf_interval slow_flow_intervals_F_Omega(sf_interval Omega, sf_interval A, sf_interval m, sf_interval zeta, sf_interval h) {
     const sf_interval R = ADD(MUL(A, SQUARE(Omega)), h);
     const sf_interval I_ = ADD(TIMES(2.0, MUL(MUL(A, Omega), zeta)), m);
     return TIMES(4.0, MUL(A, ADD(MUL(I_, zeta), MUL(Omega, R))));
 }
 
 /* d2F/dA dOmega. */
-static inline sf_interval slow_flow_intervals_F_AOmega(sf_interval Omega, sf_interval A, sf_interval m, sf_interval zeta, sf_interval h, sf_interval h_A)
-{
+static inline sf_interval slow_flow_intervals_F_AOmega(sf_interval Omega, sf_interval A, sf_interval m, sf_interval zeta, sf_interval h, sf_interval h_A) {
     const sf_interval t0 = SQUARE(Omega);
     const sf_interval R = ADD(MUL(A, t0), h);
     const sf_interval t1 = MUL(A, Omega);
@@ -75,23 +68,20 @@ static inline sf_interval slow_flow_intervals_F_AOmega(sf_interval Omega, sf_int
 }
 
 /* d2F/dOmega2. */
-static inline sf_interval slow_flow_intervals_F_OmegaOmega(sf_interval Omega, sf_interval A, sf_interval zeta, sf_interval h)
-{
+static inline sf_interval slow_flow_intervals_F_OmegaOmega(sf_interval Omega, sf_interval A, sf_interval zeta, sf_interval h) {
     const sf_interval t0 = MUL(A, SQUARE(Omega));
     const sf_interval R = ADD(h, t0);
     return TIMES(4.0, MUL(A, ADD(ADD(TIMES(2.0, MUL(A, SQUARE(zeta))), R), TIMES(2.0, t0))));
 }
 
 /* Frequency on the backbone. */
-static inline sf_interval slow_flow_intervals_backbone(sf_interval A, sf_interval h)
-{
+static inline sf_interval slow_flow_intervals_backbone(sf_interval A, sf_interval h) {
     const sf_interval turn = NEG(DIV(h, A));
     return SQRT(turn);
 }
 
 /* F_A/2 as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4. */
-static inline void slow_flow_intervals_fold_quartic(sf_interval A, sf_interval m, sf_interval zeta, sf_interval h, sf_interval h_A, sf_interval *out)
-{
+static inline void slow_flow_intervals_fold_quartic(sf_interval A, sf_interval m, sf_interval zeta, sf_interval h, sf_interval h_A, sf_interval *out) {
     out[0] = MUL(h, h_A);
     out[1] = TIMES(2.0, MUL(m, zeta));
     out[2] = ADD(MUL(A, ADD(h_A, TIMES(4.0, SQUARE(zeta)))), h);
@@ -99,45 +89,39 @@ static inline void slow_flow_intervals_fold_quartic(sf_interval A, sf_interval m
 }
 
 /* F_Omega/(4 A) as a polynomial in Omega: coefficients of 1, Omega, Omega^3. */
-static inline void slow_flow_intervals_peak_cubic(sf_interval A, sf_interval m, sf_interval zeta, sf_interval h, sf_interval *out)
-{
+static inline void slow_flow_intervals_peak_cubic(sf_interval A, sf_interval m, sf_interval zeta, sf_interval h, sf_interval *out) {
     out[0] = MUL(m, zeta);
     out[1] = ADD(TIMES(2.0, MUL(A, SQUARE(zeta))), h);
     out[2] = A;
 }
 
 /* The forcing F_0 for which (Omega, A) is a steady state. */
-static inline sf_interval slow_flow_intervals_level(sf_interval Omega, sf_interval A, sf_interval m, sf_interval zeta, sf_interval h)
-{
+static inline sf_interval slow_flow_intervals_level(sf_interval Omega, sf_interval A, sf_interval m, sf_interval zeta, sf_interval h) {
     const sf_interval R = ADD(MUL(A, SQUARE(Omega)), h);
     const sf_interval I_ = ADD(TIMES(2.0, MUL(MUL(A, Omega), zeta)), m);
     return SQRT(ADD(SQUARE(I_), SQUARE(R)));
 }
 
 /* The |h| of a state at Omega = 0, and the least |h - A h_A| of a fold. */
-static inline sf_interval slow_flow_intervals_least_restoring(sf_interval F_0, sf_interval m)
-{
+static inline sf_interval slow_flow_intervals_least_restoring(sf_interval F_0, sf_interval m) {
     return MUL(SQRT(SUB(F_0, m)), SQRT(ADD(F_0, m)));
 }
 
 /* k = h - A h_A, where the tangent of h meets A = 0, and its slope along A. */
-static inline void slow_flow_intervals_intercept(sf_interval A, sf_interval h, sf_interval h_A, sf_interval h_AA, sf_interval *out)
-{
+static inline void slow_flow_intervals_intercept(sf_interval A, sf_interval h, sf_interval h_A, sf_interval h_AA, sf_interval *out) {
     out[0] = ADD(NEG(MUL(A, h_A)), h);
     out[1] = NEG(MUL(A, h_AA));
 }
 
 /* The largest |h| of a state with this amplitude: F_0 + (A Omega)^2/A at the highest Omega. */
-static inline sf_interval slow_flow_intervals_most_restoring(sf_interval A, sf_interval F_0, sf_interval m, sf_interval zeta)
-{
+static inline sf_interval slow_flow_intervals_most_restoring(sf_interval A, sf_interval F_0, sf_interval m, sf_interval zeta) {
     const sf_interval c = NEG(DIV(TIMES(0.5, ADD(NEG(F_0), m)), zeta));
     const sf_interval fastest = DIV(c, A);
     return ADD(F_0, MUL(c, fastest));
 }
 
 /* Zero at a fold at F_0: R of (23) less the R of F = F_A = 0; its slope along A, and Omega. */
-static inline void slow_flow_intervals_fold(sf_interval A, sf_interval F_0, sf_interval m, sf_interval zeta, sf_interval h, sf_interval h_A, sf_interval k, sf_interval k_A, sf_interval *out)
-{
+static inline void slow_flow_intervals_fold(sf_interval A, sf_interval F_0, sf_interval m, sf_interval zeta, sf_interval h, sf_interval h_A, sf_interval k, sf_interval k_A, sf_interval *out) {
     const sf_interval excess = MUL(SUB(F_0, m), ADD(F_0, m));
     const sf_interval least = SQRT(excess);
     const sf_interval t0 = INVERSE(k);
@@ -158,14 +142,12 @@ static inline void slow_flow_intervals_fold(sf_interval A, sf_interval F_0, sf_i
 }
 
 /* Omega at an isola point. */
-static inline sf_interval slow_flow_intervals_isola_Omega(sf_interval h_A)
-{
+static inline sf_interval slow_flow_intervals_isola_Omega(sf_interval h_A) {
     return SQRT(h_A);
 }
 
 /* Zero at an isola point: F_Omega/(4 A) at its Omega, for m = 0 without the factor Omega; slope along A. */
-static inline void slow_flow_intervals_isola(sf_interval A, sf_interval m, sf_interval zeta, sf_interval h, sf_interval h_A, sf_interval h_AA, sf_interval *out)
-{
+static inline void slow_flow_intervals_isola(sf_interval A, sf_interval m, sf_interval zeta, sf_interval h, sf_interval h_A, sf_interval h_AA, sf_interval *out) {
     const sf_interval w = SQRT(h_A);
     const sf_interval t0 = TIMES(2.0, SQUARE(zeta));
     const sf_interval bracket = ADD(MUL(A, ADD(h_A, t0)), h);
@@ -175,8 +157,7 @@ static inline void slow_flow_intervals_isola(sf_interval A, sf_interval m, sf_in
 }
 
 /* F_AA/2 = T^2 + 2 a T + b = X^2 + 2 c X + d, T = dR/dA, X = Omega^2: a, b, c, d, and a^2 - b = c^2 - d. */
-static inline void slow_flow_intervals_cusps(sf_interval A, sf_interval zeta, sf_interval h, sf_interval h_A, sf_interval h_AA, sf_interval k, sf_interval *out)
-{
+static inline void slow_flow_intervals_cusps(sf_interval A, sf_interval zeta, sf_interval h, sf_interval h_A, sf_interval h_AA, sf_interval k, sf_interval *out) {
     const sf_interval t0 = SQUARE(zeta);
     const sf_interval half_e = ADD(TIMES(0.5, MUL(A, h_AA)), TIMES(2.0, t0));
     const sf_interval t1 = SUB(TIMES(4.0, MUL(h_A, t0)), MUL(h_AA, k));
@@ -188,15 +169,13 @@ static inline void slow_flow_intervals_cusps(sf_interval A, sf_interval zeta, sf
 }
 
 /* R where F_AA = 0 (`cusps`), in two forms: by its tangent, and from F_AA itself. */
-static inline void slow_flow_intervals_cusp_R(sf_interval A, sf_interval zeta, sf_interval h_AA, sf_interval k, sf_interval X, sf_interval T, sf_interval *out)
-{
+static inline void slow_flow_intervals_cusp_R(sf_interval A, sf_interval zeta, sf_interval h_AA, sf_interval k, sf_interval X, sf_interval T, sf_interval *out) {
     out[0] = ADD(MUL(A, T), k);
     out[1] = DIV(SUB(NEG(SQUARE(T)), TIMES(4.0, MUL(X, SQUARE(zeta)))), h_AA);
 }
 
 /* Where F_AA = 0 (`cusps`; root = a + T): F_A/2, the same less A F_AA/2, its slope along A, F_0 if it is 0. */
-static inline void slow_flow_intervals_cusp(sf_interval A, sf_interval m, sf_interval zeta, sf_interval h_AA, sf_interval h_AAA, sf_interval k, sf_interval X, sf_interval T, sf_interval R, sf_interval root, sf_interval *out)
-{
+static inline void slow_flow_intervals_cusp(sf_interval A, sf_interval m, sf_interval zeta, sf_interval h_AA, sf_interval h_AAA, sf_interval k, sf_interval X, sf_interval T, sf_interval R, sf_interval root, sf_interval *out) {
     const sf_interval w = SQRT(X);
     const sf_interval t0 = MUL(m, zeta);
     const sf_interval t1 = TIMES(2.0, MUL(t0, w));
@@ -209,8 +188,7 @@ static inline void slow_flow_intervals_cusp(sf_interval A, sf_interval m, sf_int
 }
 
 /* F_A/2 where F_AOmega = 0, an extremum of F_A over Omega, and its slope along A. */
-static inline void slow_flow_intervals_turn(sf_interval Omega, sf_interval A, sf_interval m, sf_interval zeta, sf_interval h_AA, sf_interval k, sf_interval *out)
-{
+static inline void slow_flow_intervals_turn(sf_interval Omega, sf_interval A, sf_interval m, sf_interval zeta, sf_interval h_AA, sf_interval k, sf_interval *out) {
     const sf_interval t0 = MUL(MUL(A, Omega), zeta);
     const sf_interval I_ = ADD(m, TIMES(2.0, t0));
     const sf_interval drawn = DIV(TIMES(0.5, MUL(zeta, ADD(m, TIMES(4.0, t0)))), Omega);
@@ -222,8 +200,7 @@ static inline void slow_flow_intervals_turn(sf_interval Omega, sf_interval A, sf
 }
 
 /* F where F_Omega = 0: an extremum of F over Omega, and its slope along A. */
-static inline void slow_flow_intervals_peak(sf_interval Omega, sf_interval A, sf_interval F_0, sf_interval m, sf_interval zeta, sf_interval h_A, sf_interval *out)
-{
+static inline void slow_flow_intervals_peak(sf_interval Omega, sf_interval A, sf_interval F_0, sf_interval m, sf_interval zeta, sf_interval h_A, sf_interval *out) {
     const sf_interval t0 = TIMES(2.0, A);
     const sf_interval R = SUB(NEG(MUL(t0, SQUARE(zeta))), DIV(MUL(m, zeta), Omega));
     const sf_interval I_ = ADD(MUL(MUL(Omega, t0), zeta), m);
@@ -232,8 +209,7 @@ static inline void slow_flow_intervals_peak(sf_interval Omega, sf_interval A, sf
 }
 
 /* Positive where the level rises with A along the fold locus, negative where it falls. */
-static inline sf_interval slow_flow_intervals_level_rise(sf_interval Omega, sf_interval A, sf_interval m, sf_interval zeta, sf_interval h, sf_interval h_A, sf_interval h_AA)
-{
+static inline sf_interval slow_flow_intervals_level_rise(sf_interval Omega, sf_interval A, sf_interval m, sf_interval zeta, sf_interval h, sf_interval h_A, sf_interval h_AA) {
     const sf_interval t0 = SQUARE(Omega);
     const sf_interval R = ADD(MUL(A, t0), h);
     const sf_interval t1 = MUL(A, Omega);
@@ -249,8 +225,7 @@ static inline sf_interval slow_flow_intervals_level_rise(sf_interval Omega, sf_i
 }
 
 /* Positive at a cusp where the level has a minimum along the fold locus, negative at a maximum; T = dR/dA. */
-static inline sf_interval slow_flow_intervals_cusp_bend(sf_interval Omega, sf_interval A, sf_interval zeta, sf_interval h_AA, sf_interval h_AAA, sf_interval T)
-{
+static inline sf_interval slow_flow_intervals_cusp_bend(sf_interval Omega, sf_interval A, sf_interval zeta, sf_interval h_AA, sf_interval h_AAA, sf_interval T) {
     const sf_interval t0 = SQUARE(Omega);
     const sf_interval t1 = TIMES(4.0, MUL(t0, SQUARE(zeta)));
     const sf_interval R = DIV(SUB(NEG(SQUARE(T)), t1), h_AA);
@@ -263,8 +238,7 @@ static inline sf_interval slow_flow_intervals_cusp_bend(sf_interval Omega, sf_in
 }
 
 /* The same at an isola point. */
-static inline sf_interval slow_flow_intervals_isola_bend(sf_interval Omega, sf_interval A, sf_interval m, sf_interval zeta, sf_interval h_AA)
-{
+static inline sf_interval slow_flow_intervals_isola_bend(sf_interval Omega, sf_interval A, sf_interval m, sf_interval zeta, sf_interval h_AA) {
     const sf_interval t0 = TIMES(2.0, A);
     const sf_interval t1 = ADD(MUL(MUL(Omega, t0), zeta), m);
     const sf_interval R = NEG(DIV(MUL(t1, zeta), Omega));
@@ -280,8 +254,7 @@ static inline sf_interval slow_flow_intervals_isola_bend(sf_interval Omega, sf_i
 
 /* F_Omega/(4 A), without the factor Omega if it has that, and its slope along Omega.
    Equation (34). Domain: Omega > 0, A > 0. */
-static inline void slow_flow_intervals_F_Omega_reduced(sf_interval Omega, sf_interval A, sf_interval m, sf_interval zeta, sf_interval h, sf_interval *out)
-{
+static inline void slow_flow_intervals_F_Omega_reduced(sf_interval Omega, sf_interval A, sf_interval m, sf_interval zeta, sf_interval h, sf_interval *out) {
     const sf_interval p = ADD(TIMES(2.0, MUL(A, SQUARE(zeta))), h);
     const sf_interval t0 = MUL(A, SQUARE(Omega));
     out[0] = ADD(MUL(Omega, ADD(p, t0)), MUL(m, zeta));
@@ -290,8 +263,7 @@ static inline void slow_flow_intervals_F_Omega_reduced(sf_interval Omega, sf_int
 
 /* R by its definition, and by its tangent along A, which meets A = 0 at k = h - A h_A.
    Equation (24). Domain: Omega > 0, A > 0. */
-static inline void slow_flow_intervals_state_R(sf_interval Omega, sf_interval A, sf_interval h, sf_interval h_A, sf_interval k, sf_interval *out)
-{
+static inline void slow_flow_intervals_state_R(sf_interval Omega, sf_interval A, sf_interval h, sf_interval h_A, sf_interval k, sf_interval *out) {
     const sf_interval t0 = SQUARE(Omega);
     out[0] = ADD(MUL(A, t0), h);
     out[1] = ADD(MUL(A, ADD(h_A, t0)), k);
@@ -299,8 +271,7 @@ static inline void slow_flow_intervals_state_R(sf_interval Omega, sf_interval A,
 
 /* F and its first two derivatives along A, by R (`state_R`).
    Equation (24), (30), (33). Domain: Omega > 0, A > 0. */
-static inline void slow_flow_intervals_state(sf_interval Omega, sf_interval A, sf_interval F_0, sf_interval m, sf_interval zeta, sf_interval h_A, sf_interval h_AA, sf_interval R, sf_interval *out)
-{
+static inline void slow_flow_intervals_state(sf_interval Omega, sf_interval A, sf_interval F_0, sf_interval m, sf_interval zeta, sf_interval h_A, sf_interval h_AA, sf_interval R, sf_interval *out) {
     const sf_interval t0 = TIMES(2.0, MUL(Omega, zeta));
     const sf_interval I_ = ADD(MUL(A, t0), m);
     const sf_interval t1 = SQUARE(Omega);
@@ -312,8 +283,7 @@ static inline void slow_flow_intervals_state(sf_interval Omega, sf_interval A, s
 
 /* F_A/(2 A) without friction as X^2 + b X + c in X = Omega^2, by h/A and h/A - h_A: b, and b^2 - 4 c.
    Equation from (30). Domain: A > 0. */
-static inline void slow_flow_intervals_fold_least(sf_interval zeta, sf_interval h_A, sf_interval over_A, sf_interval apart, sf_interval *out)
-{
+static inline void slow_flow_intervals_fold_least(sf_interval zeta, sf_interval h_A, sf_interval over_A, sf_interval apart, sf_interval *out) {
     const sf_interval t0 = SQUARE(zeta);
     const sf_interval t1 = ADD(h_A, over_A);
     out[0] = ADD(TIMES(4.0, t0), t1);

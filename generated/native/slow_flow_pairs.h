@@ -17,15 +17,13 @@
 SF_FAMILY_BEGIN
 
 /* Dry friction's share of I. */
-static inline sf_pair slow_flow_pairs_friction(sf_pair mu)
-{
+static inline sf_pair slow_flow_pairs_friction(sf_pair mu) {
     return MUL(CONSTANT(1.2732395447351628, -7.8714706700729944e-17), mu);
 }
 
 /* By what A change at a state, and how far that is from linear.
    Equation from (24). Domain: Omega > 0, A > 0. */
-static inline void slow_flow_pairs_state_step(sf_pair Omega, sf_pair A, sf_pair F_0, sf_pair m, sf_pair zeta, sf_pair h, sf_pair h_A, sf_pair h_AA, sf_pair h_AAA, double *out)
-{
+static inline void slow_flow_pairs_state_step(sf_pair Omega, sf_pair A, sf_pair F_0, sf_pair m, sf_pair zeta, sf_pair h, sf_pair h_A, sf_pair h_AA, sf_pair h_AAA, double *out) {
     const sf_pair t0 = SQUARE(Omega);
     const sf_pair R = ADD(MUL(A, t0), h);
     const sf_pair t1 = TIMES(2.0, MUL(Omega, zeta));
@@ -40,8 +38,7 @@ static inline void slow_flow_pairs_state_step(sf_pair Omega, sf_pair A, sf_pair 
 
 /* By what Omega, A change at a fold, and how far that is from linear.
    Equation from (24). Domain: Omega > 0, A > 0. */
-static inline void slow_flow_pairs_fold_step(sf_pair Omega, sf_pair A, sf_pair F_0, sf_pair m, sf_pair zeta, sf_pair h, sf_pair h_A, sf_pair h_AA, sf_pair h_AAA, double *out)
-{
+static inline void slow_flow_pairs_fold_step(sf_pair Omega, sf_pair A, sf_pair F_0, sf_pair m, sf_pair zeta, sf_pair h, sf_pair h_A, sf_pair h_AA, sf_pair h_AAA, double *out) {
     const sf_pair t0 = SQUARE(Omega);
     const sf_pair R = ADD(MUL(A, t0), h);
     const sf_pair t1 = MUL(A, Omega);
@@ -69,8 +66,7 @@ static inline void slow_flow_pairs_fold_step(sf_pair Omega, sf_pair A, sf_pair F
 
 /* By what Omega, A change at a peak, and how far that is from linear.
    Equation from (24). Domain: Omega > 0, A > 0. */
-static inline void slow_flow_pairs_peak_step(sf_pair Omega, sf_pair A, sf_pair F_0, sf_pair m, sf_pair zeta, sf_pair h, sf_pair h_A, sf_pair h_AA, sf_pair h_AAA, double *out)
-{
+static inline void slow_flow_pairs_peak_step(sf_pair Omega, sf_pair A, sf_pair F_0, sf_pair m, sf_pair zeta, sf_pair h, sf_pair h_A, sf_pair h_AA, sf_pair h_AAA, double *out) {
     const sf_pair t0 = SQUARE(Omega);
     const sf_pair t1 = MUL(A, t0);
     const sf_pair R = ADD(h, t1);
@@ -98,8 +94,7 @@ static inline void slow_flow_pairs_peak_step(sf_pair Omega, sf_pair A, sf_pair F
 
 /* By what Omega, A, F_0 change at a cusp, and how far that is from linear.
    Equation from (24). Domain: Omega > 0, A > 0. */
-static inline void slow_flow_pairs_cusp_step(sf_pair Omega, sf_pair A, sf_pair F_0, sf_pair m, sf_pair zeta, sf_pair h, sf_pair h_A, sf_pair h_AA, sf_pair h_AAA, double *out)
-{
+static inline void slow_flow_pairs_cusp_step(sf_pair Omega, sf_pair A, sf_pair F_0, sf_pair m, sf_pair zeta, sf_pair h, sf_pair h_A, sf_pair h_AA, sf_pair h_AAA, double *out) {
     const sf_pair t0 = SQUARE(Omega);
     const sf_pair R = ADD(MUL(A, t0), h);
     const sf_pair t1 = MUL(A, Omega);
@@ -128,8 +123,7 @@ static inline void slow_flow_pairs_cusp_step(sf_pair Omega, sf_pair A, sf_pair F
 
 /* By what Omega, A, F_0 change at a isola, and how far that is from linear.
    Equation from (24). Domain: Omega > 0, A > 0. */
-static inline void slow_flow_pairs_isola_step(sf_pair Omega, sf_pair A, sf_pair F_0, sf_pair m, sf_pair zeta, sf_pair h, sf_pair h_A, sf_pair h_AA, sf_pair h_AAA, double *out)
-{
+static inline void slow_flow_pairs_isola_step(sf_pair Omega, sf_pair A, sf_pair F_0, sf_pair m, sf_pair zeta, sf_pair h, sf_pair h_A, sf_pair h_AA, sf_pair h_AAA, double *out) {
     const sf_pair Omega2 = SQUARE(Omega);
     const sf_pair t0 = MUL(A, Omega2);
     const sf_pair R = ADD(h, t0);
@@ -169,8 +163,7 @@ static inline void slow_flow_pairs_isola_step(sf_pair Omega, sf_pair A, sf_pair 
 
 /* By what Omega change at a corner, and how far that is from linear.
    Equation from (24). Domain: Omega > 0, A > 0. */
-static inline void slow_flow_pairs_corner_step(sf_pair Omega, sf_pair A, sf_pair F_0, sf_pair m, sf_pair zeta, sf_pair h, sf_pair h_A, sf_pair h_AA, sf_pair h_AAA, double *out)
-{
+static inline void slow_flow_pairs_corner_step(sf_pair Omega, sf_pair A, sf_pair F_0, sf_pair m, sf_pair zeta, sf_pair h, sf_pair h_A, sf_pair h_AA, sf_pair h_AAA, double *out) {
     const sf_pair t0 = MUL(A, SQUARE(Omega));
     const sf_pair R = ADD(h, t0);
     const sf_pair t1 = TIMES(2.0, A);
@@ -185,8 +178,7 @@ static inline void slow_flow_pairs_corner_step(sf_pair Omega, sf_pair A, sf_pair
 
 /* By what Omega change at a ridge, and how far that is from linear.
    Equation from (24). Domain: Omega > 0, A > 0. */
-static inline void slow_flow_pairs_ridge_step(sf_pair Omega, sf_pair A, sf_pair F_0, sf_pair m, sf_pair zeta, sf_pair h, sf_pair h_A, sf_pair h_AA, sf_pair h_AAA, double *out)
-{
+static inline void slow_flow_pairs_ridge_step(sf_pair Omega, sf_pair A, sf_pair F_0, sf_pair m, sf_pair zeta, sf_pair h, sf_pair h_A, sf_pair h_AA, sf_pair h_AAA, double *out) {
     const sf_pair t0 = MUL(A, SQUARE(Omega));
     const sf_pair R = ADD(h, t0);
     const sf_pair t1 = TIMES(2.0, A);
@@ -200,8 +192,7 @@ static inline void slow_flow_pairs_ridge_step(sf_pair Omega, sf_pair A, sf_pair 
 
 /* By what F_0 change at a level, and how far that is from linear.
    Equation from (24). Domain: Omega > 0, A > 0. */
-static inline void slow_flow_pairs_level_step(sf_pair Omega, sf_pair A, sf_pair F_0, sf_pair m, sf_pair zeta, sf_pair h, sf_pair h_A, sf_pair h_AA, sf_pair h_AAA, double *out)
-{
+static inline void slow_flow_pairs_level_step(sf_pair Omega, sf_pair A, sf_pair F_0, sf_pair m, sf_pair zeta, sf_pair h, sf_pair h_A, sf_pair h_AA, sf_pair h_AAA, double *out) {
     const sf_pair R = ADD(MUL(A, SQUARE(Omega)), h);
     const sf_pair I_ = ADD(TIMES(2.0, MUL(MUL(A, Omega), zeta)), m);
     const sf_pair F = ADD(SQUARE(R), MUL(ADD(NEG(F_0), I_), ADD(F_0, I_)));

@@ -17,14 +17,12 @@
 SF_FAMILY_BEGIN
 
 /* Omega of the folds. */
-static inline sf_interval slow_flow_zeta0_intervals_undamped_Omega(sf_interval h_A)
-{
+static inline sf_interval slow_flow_zeta0_intervals_undamped_Omega(sf_interval h_A) {
     return SQRT(NEG(h_A));
 }
 
 /* Zero at a fold at F_0, where h_A < 0: R^2 + I^2 - F_0^2 on the undamped folds, and its slope along A. */
-static inline void slow_flow_zeta0_intervals_fold(sf_interval F_0, sf_interval m, sf_interval k, sf_interval k_A, sf_interval *out)
-{
+static inline void slow_flow_zeta0_intervals_fold(sf_interval F_0, sf_interval m, sf_interval k, sf_interval k_A, sf_interval *out) {
     const sf_interval excess = MUL(SUB(F_0, m), ADD(F_0, m));
     const sf_interval least = SQRT(excess);
     out[0] = MUL(SUB(k, least), ADD(k, least));
@@ -33,8 +31,7 @@ static inline void slow_flow_zeta0_intervals_fold(sf_interval F_0, sf_interval m
 
 /* F_Omega/(4 A), without the factor Omega if it has that, and its slope along Omega.
    Equation (34). Domain: Omega > 0, A > 0. */
-static inline void slow_flow_zeta0_intervals_F_Omega_reduced(sf_interval Omega, sf_interval A, sf_interval m, sf_interval zeta, sf_interval h, sf_interval *out)
-{
+static inline void slow_flow_zeta0_intervals_F_Omega_reduced(sf_interval Omega, sf_interval A, sf_interval m, sf_interval zeta, sf_interval h, sf_interval *out) {
     out[0] = ADD(MUL(A, SQUARE(Omega)), h);
     out[1] = TIMES(2.0, MUL(A, Omega));
 }

@@ -16,64 +16,53 @@ static const double sf_gauss_weight[SF_NODES] = {0.10122853629037626, 0.22238103
 #include "inline.h"
 
 /* Coefficient n of what is made of series a, b: numbers of series, and of sums over lower coefficients. */
-static SF_INLINE double sf_product(const sf_coefficients *c, int a, int b, int k)
-{
+static SF_INLINE double sf_product(const sf_coefficients *c, int a, int b, int k) {
     return ((sf_lane(c->sum, k) + (c->second[a] * c->last[b] + c->last[a] * c->second[b])) + c->w[a] * c->first[b]) + c->first[a] * c->w[b];
 }
-static SF_INLINE double sf_square(const sf_coefficients *c, int a, int k)
-{
+static SF_INLINE double sf_square(const sf_coefficients *c, int a, int k) {
     return sf_lane(c->sum, k) + 2.0 * (c->second[a] * c->last[a] + c->first[a] * c->w[a]);
 }
 /* of q = a/b, over = 1/b; the sum is that of b q */
-static SF_INLINE double sf_quotient(const sf_coefficients *c, int a, int b, int q, int k)
-{
+static SF_INLINE double sf_quotient(const sf_coefficients *c, int a, int b, int q, int k) {
     return (c->w[a] - (sf_lane(c->sum, k) + (c->second[b] * c->last[q] + c->last[b] * c->second[q]))) * c->over[q] - c->w[b] * (c->first[q] * c->over[q]);
 }
 /* of q = 1/b, likewise */
-static SF_INLINE double sf_reciprocal(const sf_coefficients *c, int b, int q, int k)
-{
+static SF_INLINE double sf_reciprocal(const sf_coefficients *c, int b, int q, int k) {
     return -(sf_lane(c->sum, k) + (c->second[b] * c->last[q] + c->last[b] * c->second[q])) * c->over[q] - c->w[b] * (c->first[q] * c->over[q]);
 }
 /* of s = sqrt(a), over = 1/(2 s); the sum is that of s s */
-static SF_INLINE double sf_root(const sf_coefficients *c, int a, int s, int k)
-{
+static SF_INLINE double sf_root(const sf_coefficients *c, int a, int s, int k) {
     return (c->w[a] - (sf_lane(c->sum, k) + 2.0 * c->second[s] * c->last[s])) * c->over[s];
 }
 /* of q = a^r, over = 1/a, from a q' = r a' q; the sums are those of (t a') q and a (t q') */
-static SF_INLINE double sf_power(const sf_coefficients *c, int a, int q, int k, double r)
-{
+static SF_INLINE double sf_power(const sf_coefficients *c, int a, int q, int k, double r) {
     return (r * (c->n * c->w[a] * c->first[q] + (sf_lane(c->sum, k) + (c->second[a] * c->last[q] + (c->n - 1.0) * c->last[a] * c->second[q]))) - (sf_lane(c->sum, k + 1) + ((c->n - 1.0) * c->second[a] * c->last[q] + c->last[a] * c->second[q]))) * c->over[q] * sf_over[c->n];
 }
 /* of y from b y' = a', over = 1/b; the sum is that of b (t y') */
-static SF_INLINE double sf_of_ratio(const sf_coefficients *c, int a, int b, int y, int k)
-{
+static SF_INLINE double sf_of_ratio(const sf_coefficients *c, int a, int b, int y, int k) {
     return (c->n * c->w[a] - (sf_lane(c->sum, k) + ((c->n - 1.0) * c->second[b] * c->last[y] + c->last[b] * c->second[y]))) * c->over[y] * sf_over[c->n];
 }
 /* of y from y' = a' b; the sum is that of (t a') b */
-static SF_INLINE double sf_of_rate(const sf_coefficients *c, int a, int b, int k)
-{
+static SF_INLINE double sf_of_rate(const sf_coefficients *c, int a, int b, int k) {
     return (sf_lane(c->sum, k) + (c->second[a] * c->last[b] + (c->n - 1.0) * c->last[a] * c->second[b]) + c->n * c->w[a] * c->first[b]) * sf_over[c->n];
 }
 
 SF_FAMILY_BEGIN
 
 /* duffing: Piece 1 of the whole restoring force u + F_k(u). Equation (3), (5). */
-static double duffing_force_1_value(const sf_law *self, const double *p, double u)
-{
+static double duffing_force_1_value(const sf_law *self, const double *p, double u) {
     const double alpha = p[0], beta = p[1], gamma = p[2];
     const double t0 = u * u;
     return u * (alpha + t0 * (beta + gamma * t0));
 }
 
-static double duffing_force_1_slope(const sf_law *self, const double *p, double u)
-{
+static double duffing_force_1_slope(const sf_law *self, const double *p, double u) {
     const double alpha = p[0], beta = p[1], gamma = p[2];
     const double t0 = u * u;
     return alpha + t0 * (3.0 * beta + 5.0 * gamma * t0);
 }
 
-static int duffing_force_1_powers(const double *p, double *c)
-{
+static int duffing_force_1_powers(const double *p, double *c) {
     const double alpha = p[0], beta = p[1], gamma = p[2];
     c[0] = 0.0;
     c[1] = alpha;
@@ -85,8 +74,7 @@ static int duffing_force_1_powers(const double *p, double *c)
 }
 
 
-static SF_INLINE void duffing_force_1_begin(const double *p, double *first, double *over)
-{
+static SF_INLINE void duffing_force_1_begin(const double *p, double *first, double *over) {
     const double alpha = p[0], beta = p[1], gamma = p[2];
     first[1] = first[0] * first[0];
     first[2] = beta + gamma * first[1];
@@ -96,8 +84,7 @@ static SF_INLINE void duffing_force_1_begin(const double *p, double *first, doub
 }
 
 static SF_INLINE void duffing_force_1_next(const sf_coefficients *c, const double *p, double *w,
-    sf_four *left, sf_four *right)
-{
+    sf_four *left, sf_four *right) {
     const double gamma = p[2];
     w[1] = sf_square(c, 0, 0);
     w[2] = gamma * w[1];
@@ -108,8 +95,7 @@ static SF_INLINE void duffing_force_1_next(const sf_coefficients *c, const doubl
     right[0] = sf_four_of(w[0], w[2], w[4], 0.0);
 }
 
-static SF_INLINE void duffing_force_1_both_begin(const double *p, double *first, double *over)
-{
+static SF_INLINE void duffing_force_1_both_begin(const double *p, double *first, double *over) {
     const double alpha = p[0], beta = p[1], gamma = p[2];
     first[1] = first[0] * first[0];
     first[2] = gamma * first[1];
@@ -123,8 +109,7 @@ static SF_INLINE void duffing_force_1_both_begin(const double *p, double *first,
 }
 
 static SF_INLINE void duffing_force_1_both_next(const sf_coefficients *c, const double *p, double *w,
-    sf_four *left, sf_four *right)
-{
+    sf_four *left, sf_four *right) {
     const double gamma = p[2];
     w[1] = sf_square(c, 0, 0);
     w[2] = gamma * w[1];
@@ -140,8 +125,7 @@ static SF_INLINE void duffing_force_1_both_next(const sf_coefficients *c, const 
 }
 
 SF_FMA static void duffing_force_1(const sf_law *self, const double *p, const sf_drive *drive, double theta, double u, double v,
-    const sf_four *flow, sf_expansion *x)
-{
+    const sf_four *flow, sf_expansion *x) {
     double over[10], w[4 * 10];
     sf_four left[1 * SF_TERMS], right[1 * SF_TERMS];
     if (flow == NULL)
@@ -153,22 +137,19 @@ SF_FMA static void duffing_force_1(const sf_law *self, const double *p, const sf
 }
 
 /* rod_spring: Piece 1 of the whole restoring force u + F_k(u). Equation (3), (6). */
-static double rod_spring_force_1_value(const sf_law *self, const double *p, double u)
-{
+static double rod_spring_force_1_value(const sf_law *self, const double *p, double u) {
     const double alpha = p[0], beta = p[1], gamma = p[2];
     const double t0 = u * u;
     return u * (alpha + t0 * (beta + gamma * t0));
 }
 
-static double rod_spring_force_1_slope(const sf_law *self, const double *p, double u)
-{
+static double rod_spring_force_1_slope(const sf_law *self, const double *p, double u) {
     const double alpha = p[0], beta = p[1], gamma = p[2];
     const double t0 = u * u;
     return alpha + t0 * (3.0 * beta + 5.0 * gamma * t0);
 }
 
-static int rod_spring_force_1_powers(const double *p, double *c)
-{
+static int rod_spring_force_1_powers(const double *p, double *c) {
     const double alpha = p[0], beta = p[1], gamma = p[2];
     c[0] = 0.0;
     c[1] = alpha;
@@ -180,8 +161,7 @@ static int rod_spring_force_1_powers(const double *p, double *c)
 }
 
 
-static SF_INLINE void rod_spring_force_1_begin(const double *p, double *first, double *over)
-{
+static SF_INLINE void rod_spring_force_1_begin(const double *p, double *first, double *over) {
     const double alpha = p[0], beta = p[1], gamma = p[2];
     first[1] = first[0] * first[0];
     first[2] = beta + gamma * first[1];
@@ -191,8 +171,7 @@ static SF_INLINE void rod_spring_force_1_begin(const double *p, double *first, d
 }
 
 static SF_INLINE void rod_spring_force_1_next(const sf_coefficients *c, const double *p, double *w,
-    sf_four *left, sf_four *right)
-{
+    sf_four *left, sf_four *right) {
     const double gamma = p[2];
     w[1] = sf_square(c, 0, 0);
     w[2] = gamma * w[1];
@@ -203,8 +182,7 @@ static SF_INLINE void rod_spring_force_1_next(const sf_coefficients *c, const do
     right[0] = sf_four_of(w[0], w[2], w[4], 0.0);
 }
 
-static SF_INLINE void rod_spring_force_1_both_begin(const double *p, double *first, double *over)
-{
+static SF_INLINE void rod_spring_force_1_both_begin(const double *p, double *first, double *over) {
     const double alpha = p[0], beta = p[1], gamma = p[2];
     first[1] = first[0] * first[0];
     first[2] = gamma * first[1];
@@ -218,8 +196,7 @@ static SF_INLINE void rod_spring_force_1_both_begin(const double *p, double *fir
 }
 
 static SF_INLINE void rod_spring_force_1_both_next(const sf_coefficients *c, const double *p, double *w,
-    sf_four *left, sf_four *right)
-{
+    sf_four *left, sf_four *right) {
     const double gamma = p[2];
     w[1] = sf_square(c, 0, 0);
     w[2] = gamma * w[1];
@@ -235,8 +212,7 @@ static SF_INLINE void rod_spring_force_1_both_next(const sf_coefficients *c, con
 }
 
 SF_FMA static void rod_spring_force_1(const sf_law *self, const double *p, const sf_drive *drive, double theta, double u, double v,
-    const sf_four *flow, sf_expansion *x)
-{
+    const sf_four *flow, sf_expansion *x) {
     double over[10], w[4 * 10];
     sf_four left[1 * SF_TERMS], right[1 * SF_TERMS];
     if (flow == NULL)
@@ -248,47 +224,39 @@ SF_FMA static void rod_spring_force_1(const sf_law *self, const double *p, const
 }
 
 /* rod_spring: Piece 2 of the whole restoring force u + F_k(u). Equation (3), (6). */
-static double rod_spring_force_2_value(const sf_law *self, const double *p, double u)
-{
+static double rod_spring_force_2_value(const sf_law *self, const double *p, double u) {
     return u;
 }
 
-static double rod_spring_force_2_slope(const sf_law *self, const double *p, double u)
-{
+static double rod_spring_force_2_slope(const sf_law *self, const double *p, double u) {
     return 1.0;
 }
 
-static int rod_spring_force_2_powers(const double *p, double *c)
-{
+static int rod_spring_force_2_powers(const double *p, double *c) {
     c[0] = 0.0;
     c[1] = 1.0;
     return 1;
 }
 
 
-static SF_INLINE void rod_spring_force_2_begin(const double *p, double *first, double *over)
-{
+static SF_INLINE void rod_spring_force_2_begin(const double *p, double *first, double *over) {
 }
 
 static SF_INLINE void rod_spring_force_2_next(const sf_coefficients *c, const double *p, double *w,
-    sf_four *left, sf_four *right)
-{
+    sf_four *left, sf_four *right) {
 }
 
-static SF_INLINE void rod_spring_force_2_both_begin(const double *p, double *first, double *over)
-{
+static SF_INLINE void rod_spring_force_2_both_begin(const double *p, double *first, double *over) {
     first[1] = 1.0;
 }
 
 static SF_INLINE void rod_spring_force_2_both_next(const sf_coefficients *c, const double *p, double *w,
-    sf_four *left, sf_four *right)
-{
+    sf_four *left, sf_four *right) {
     w[1] = 0.0;
 }
 
 SF_FMA static void rod_spring_force_2(const sf_law *self, const double *p, const sf_drive *drive, double theta, double u, double v,
-    const sf_four *flow, sf_expansion *x)
-{
+    const sf_four *flow, sf_expansion *x) {
     double over[2], w[4 * 2];
     sf_four left[1 * SF_TERMS], right[1 * SF_TERMS];
     if (flow == NULL)
@@ -300,15 +268,13 @@ SF_FMA static void rod_spring_force_2(const sf_law *self, const double *p, const
 }
 
 /* rod_spring_untruncated: Piece 1 of the whole restoring force u + F_k(u). Equation (3), (5). */
-static double rod_spring_untruncated_force_1_value(const sf_law *self, const double *p, double u)
-{
+static double rod_spring_untruncated_force_1_value(const sf_law *self, const double *p, double u) {
     const double alpha = p[0], beta = p[1];
     const double t0 = sqrt((1.0 - u) * (u + 1.0));
     return u * (alpha + 2.0 * beta * u * u / (t0 * (t0 + 1.0)));
 }
 
-static double rod_spring_untruncated_force_1_slope(const sf_law *self, const double *p, double u)
-{
+static double rod_spring_untruncated_force_1_slope(const sf_law *self, const double *p, double u) {
     const double alpha = p[0], beta = p[1];
     const double root_1 = sqrt((1.0 - u) * (u + 1.0));
     const double t0 = root_1 + 1.0;
@@ -319,16 +285,14 @@ static double rod_spring_untruncated_force_1_slope(const sf_law *self, const dou
     return alpha + 6.0 * beta * t1 * t3 - t3 * (-t3 * t4 / (t0 * t0) - t1 * t2 * t4 / (root_1 * root_1));
 }
 
-static double rod_spring_untruncated_force_1_secant(const sf_law *self, const double *p, double u)
-{
+static double rod_spring_untruncated_force_1_secant(const sf_law *self, const double *p, double u) {
     const double alpha = p[0], beta = p[1];
     const double t0 = sqrt((1.0 - u) * (u + 1.0));
     return alpha + 2.0 * beta * u * u / (t0 * (t0 + 1.0));
 }
 
 
-static SF_INLINE void rod_spring_untruncated_force_1_begin(const double *p, double *first, double *over)
-{
+static SF_INLINE void rod_spring_untruncated_force_1_begin(const double *p, double *first, double *over) {
     first[1] = 1.0 - first[0];
     first[2] = 1.0 + first[0];
     first[3] = first[1] * first[2];
@@ -341,8 +305,7 @@ static SF_INLINE void rod_spring_untruncated_force_1_begin(const double *p, doub
 }
 
 static SF_INLINE void rod_spring_untruncated_force_1_next(const sf_coefficients *c, const double *p, double *w,
-    sf_four *left, sf_four *right)
-{
+    sf_four *left, sf_four *right) {
     const double beta = p[1];
     const double t0 = (2.0 * beta);
     w[1] = -w[0];
@@ -357,8 +320,7 @@ static SF_INLINE void rod_spring_untruncated_force_1_next(const sf_coefficients 
     right[0] = sf_four_of(w[2], w[4], w[5], w[7]);
 }
 
-static SF_INLINE void rod_spring_untruncated_force_1_both_begin(const double *p, double *first, double *over)
-{
+static SF_INLINE void rod_spring_untruncated_force_1_both_begin(const double *p, double *first, double *over) {
     first[1] = 1.0 - first[0];
     first[2] = 1.0 + first[0];
     first[3] = first[1] * first[2];
@@ -374,8 +336,7 @@ static SF_INLINE void rod_spring_untruncated_force_1_both_begin(const double *p,
 }
 
 static SF_INLINE void rod_spring_untruncated_force_1_both_next(const sf_coefficients *c, const double *p, double *w,
-    sf_four *left, sf_four *right)
-{
+    sf_four *left, sf_four *right) {
     const double beta = p[1];
     const double t1 = (2.0 * beta);
     w[1] = -w[0];
@@ -396,8 +357,7 @@ static SF_INLINE void rod_spring_untruncated_force_1_both_next(const sf_coeffici
 }
 
 SF_FMA static void rod_spring_untruncated_force_1(const sf_law *self, const double *p, const sf_drive *drive, double theta, double u, double v,
-    const sf_four *flow, sf_expansion *x)
-{
+    const sf_four *flow, sf_expansion *x) {
     double over[12], w[4 * 12];
     sf_four left[2 * SF_TERMS], right[2 * SF_TERMS];
     if (flow == NULL)
@@ -409,47 +369,39 @@ SF_FMA static void rod_spring_untruncated_force_1(const sf_law *self, const doub
 }
 
 /* rod_spring_untruncated: Piece 2 of the whole restoring force u + F_k(u). Equation (3), (5). */
-static double rod_spring_untruncated_force_2_value(const sf_law *self, const double *p, double u)
-{
+static double rod_spring_untruncated_force_2_value(const sf_law *self, const double *p, double u) {
     return u;
 }
 
-static double rod_spring_untruncated_force_2_slope(const sf_law *self, const double *p, double u)
-{
+static double rod_spring_untruncated_force_2_slope(const sf_law *self, const double *p, double u) {
     return 1.0;
 }
 
-static int rod_spring_untruncated_force_2_powers(const double *p, double *c)
-{
+static int rod_spring_untruncated_force_2_powers(const double *p, double *c) {
     c[0] = 0.0;
     c[1] = 1.0;
     return 1;
 }
 
 
-static SF_INLINE void rod_spring_untruncated_force_2_begin(const double *p, double *first, double *over)
-{
+static SF_INLINE void rod_spring_untruncated_force_2_begin(const double *p, double *first, double *over) {
 }
 
 static SF_INLINE void rod_spring_untruncated_force_2_next(const sf_coefficients *c, const double *p, double *w,
-    sf_four *left, sf_four *right)
-{
+    sf_four *left, sf_four *right) {
 }
 
-static SF_INLINE void rod_spring_untruncated_force_2_both_begin(const double *p, double *first, double *over)
-{
+static SF_INLINE void rod_spring_untruncated_force_2_both_begin(const double *p, double *first, double *over) {
     first[1] = 1.0;
 }
 
 static SF_INLINE void rod_spring_untruncated_force_2_both_next(const sf_coefficients *c, const double *p, double *w,
-    sf_four *left, sf_four *right)
-{
+    sf_four *left, sf_four *right) {
     w[1] = 0.0;
 }
 
 SF_FMA static void rod_spring_untruncated_force_2(const sf_law *self, const double *p, const sf_drive *drive, double theta, double u, double v,
-    const sf_four *flow, sf_expansion *x)
-{
+    const sf_four *flow, sf_expansion *x) {
     double over[2], w[4 * 2];
     sf_four left[1 * SF_TERMS], right[1 * SF_TERMS];
     if (flow == NULL)

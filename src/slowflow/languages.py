@@ -206,7 +206,7 @@ def _prototypes(paths: Iterable[Path]) -> list[Prototype]:
             shared = (path.parent / name).read_text(encoding="utf-8")
             text += re.sub(r"^KERNEL (\w+) OF\((\w+)\)", rf"SF_KERNEL \1 {path.stem}_\2", shared, flags=re.MULTILINE)
         for kind, name, taken in re.findall(
-            r"^SF_(?:KERNEL|TWOFOLD) (double|REAL|void) (\w+)\(([^)]*)\)$", text, re.MULTILINE
+            r"^SF_(?:KERNEL|TWOFOLD) (double|REAL|void) (\w+)\(([^)]*)\) \{$", text, re.MULTILINE
         ):
             arguments = tuple(re.findall(r"(\w+)(?:,|$)", taken))
             found.append(Prototype(name, kind != "void", arguments))

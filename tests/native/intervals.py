@@ -96,7 +96,7 @@ def exactly(pairs: np.ndarray) -> list[Fraction]:
 
 
 #: generated functions on intervals: what they return, the module, their names, arguments
-PROTOTYPE = re.compile(r"^static inline (sf_interval|void) (\w+_intervals)_(\w+)\(([^)]*)\)$", re.MULTILINE)
+PROTOTYPE = re.compile(r"^static inline (sf_interval|void) (\w+_intervals)_(\w+)\(([^)]*)\) \{$", re.MULTILINE)
 MOST_OUTPUTS = 24
 
 
