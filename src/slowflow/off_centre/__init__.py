@@ -11,7 +11,7 @@ solution_sheets    the balance of the mean as cells that hold all of it, for all
 complete   all states, folds and corners
 onset      the lowest forcing with a fold, and that none is below
 reach      how far motions go at a forcing, up to which frequency they transmit a level, and that none is beyond
-curve      the response as curves along the sheets, checked by all folds and the states between them
+curve      the response as curves, from all folds and all states at frequencies between
 sensitivities      how answers move with parameters and load
 questions  `OffCentre`, what a user asks
 answers    what is answered

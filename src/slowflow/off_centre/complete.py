@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
-from functools import partial
 
 import numpy as np
 
@@ -16,8 +15,7 @@ from slowflow.core.mechanism import Ints
 from slowflow.core.model import Floats
 from slowflow.off_centre.boxes import Solutions, solve
 from slowflow.off_centre.by_turning_points import ON, ByMotion, Equations, folds, on_edges, refined, solve_edges, states
-from slowflow.off_centre.curve import Curve, curves
-from slowflow.off_centre.flow import Flow, Slow
+from slowflow.off_centre.flow import Flow
 from slowflow.off_centre.means import UNBOUNDED, Steps
 from slowflow.off_centre.onset import Lowest, Search
 from slowflow.off_centre.solution_sheets import FARTHEST, TOO_FAR, Corner, Sheets
@@ -40,8 +38,6 @@ TENDED = 2.0**-64
 NEAR = 2.0**-8
 #: |B| up to which a motion without a load is about the centre, where all others are told from it by more
 AT_CENTRE = 1e-12
-#: folds nearer to one another in frequency, relatively, are not told apart by states between them
-KINK = 1e-7
 #: no bound of B, and so none of what is to be looked at
 ENDLESS = "folds occur at ever lower forcings towards {Omega} = 0, or towards a turning point of the mean"
 
@@ -110,28 +106,6 @@ class Complete:
                     kinds.append(kind)
         open_ = np.concatenate((open_, np.zeros((1, open_.shape[1]))))
         return np.array(found).reshape(-1, 3).T, kinds, open_
-
-    def curves(self, folds: Floats, F_0: float, window: tuple[float, float], points: int) -> list[Curve]:
-        """The response in a window of frequencies, from the folds in it by Omega, A and B: without motions about the
-        centre.
-        """
-        between = np.unique(np.concatenate((folds[0], window)))
-        # folds nearer than that are a kink: a force that jumps by little turns a curve there and back
-        wide = np.diff(between) > KINK * between[1:]
-        Omega = np.unique(np.append(window, 0.5 * (between[1:] + between[:-1])[wide]))
-        x, of, undecided = self.states(Omega, F_0)
-        if undecided.size:
-            raise NotSettled("the response is unresolved: double precision is inconclusive close to a fold")
-        states, slow = np.concatenate((Omega[np.newaxis, of], x)), Slow(self._steps, self._flow, F_0)
-        most = min(max(self.A_max(F_0), 2 * float(x[0].max(initial=0.0))), self._steps.grown)
-        cells = self.sheets.cells(most, partial(self._flow.may_move, F_0=F_0))
-        if not self.has_centre:
-            return curves(slow, self.sheets, cells, folds, states, window, points)
-        # all motions off the centre are there mirrored as well
-        folds, states = (known[:, known[2] > AT_CENTRE] for known in (folds, states))
-        found = curves(slow, self.sheets, cells.take(cells.B.lo > 0), folds, states, window, points // 2)
-        turned = np.array([[1.0], [1.0], [-1.0]])
-        return [one for curve in found for one in (curve._replace(place=turned * curve.place), curve)]
 
     def detaching(self) -> Floats:
         """A and B of all motions that reach an end of the piece about u = 0, and no end is passed, (2, n)."""

@@ -148,10 +148,6 @@ class Flow(SlowFlow):
         needed[known] = self.least_forcing(least, -least * nearest[known])[0]
         return needed
 
-    def may_move(self, cells: Any, F_0: float) -> Flags:
-        """Which cells of the balance may hold a motion at F_0."""
-        return np.asarray(self.needed(cells.A, cells.p) * (1 - ROUNDED) <= F_0)
-
     def folds_between(
         self, A: Interval, p: Interval, e: Interval, sign: Any, lowest: Any, highest: Any
     ) -> tuple[Floats, Flags]:

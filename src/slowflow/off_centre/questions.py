@@ -35,7 +35,7 @@ from slowflow.off_centre.answers import RestPositions
 from slowflow.off_centre.boxes import Solutions, solve
 from slowflow.off_centre.by_turning_points import at_rest
 from slowflow.off_centre.complete import AT_CENTRE, SUBDIVISIONS, Complete
-from slowflow.off_centre.curve import Curve
+from slowflow.off_centre.curve import Curves, curves
 from slowflow.off_centre.flow import Flow, Slow
 from slowflow.off_centre.means import Steps
 from slowflow.off_centre.reach import AMPLITUDE, LARGEST, Farthest, Measure, Reach
@@ -274,11 +274,13 @@ class OffCentre(Unchanging, ComposedQuestions):
 
     @_kept
     def _frequency_response(self, F_0: float, samples: int, window: tuple[float, float]) -> FrequencyResponse:
+        # no branch is lost: folds and the states at frequencies between them are all there are, and neighbouring states
+        # are shown to be on one arc
         self._check_answered("frequency_response")
         low, high = window
         if self._model.sticks(F_0):
-            return self._response([], F_0, _Notes(messages.STICKS.format(F_0, self._model.m)))
-        found, notes = list[Curve](), _Notes()
+            return self._response(Curves.none(), F_0, _Notes(messages.STICKS.format(F_0, self._model.m)))
+        found, notes = Curves.none(), _Notes()
         if self._flow.inertial:
             # at rest it begins, with no amplitude: there all states meet
             begin = max(low, float(inertia.moves_from(F_0, self._model.m)) * (1 + BEGINS), high * BEGINS)
@@ -287,14 +289,23 @@ class OffCentre(Unchanging, ComposedQuestions):
             low = begin
         if not self._keeps_centre:
             folds = self.saddle_nodes(F_0)
-            positions = np.stack((folds.Omega, folds.A, folds.mean))[:, (low < folds.Omega) & (folds.Omega < high)]
-            found, notes = self._complete.curves(positions, F_0, (low, high), samples), _of_folds(folds)
+            off = np.abs(folds.mean) > AT_CENTRE if self._complete.has_centre else np.ones(len(folds), dtype=bool)
+            positions = np.stack((folds.Omega, folds.A, folds.mean))[:, off]
+            slow = Slow(self._steps, self._flow, F_0)
+            found = curves(slow, positions, partial(self._off, F_0=F_0), (low, high), samples)
+            notes = _of_folds(folds)
         if self._complete.has_centre:
             centred = Averaged(self._model).frequency_response(F_0, samples=samples, Omega=(low, high))
-            place = np.stack((centred.Omega, centred.A, 0 * centred.A))
-            found = [Curve(place[:, centred.branch == k], closed) for k, closed in enumerate(centred.isola)] + found
+            found = found.behind(Curves(centred.Omega, centred.A, 0 * centred.A, centred.branch, centred.isola))
             notes = notes.combine(_of_centred(centred)).combine(self._of_cut(centred, F_0, low))
         return self._response(found, F_0, notes)
+
+    def _off(self, Omega: Floats, F_0: float) -> tuple[Floats, Ints]:
+        """Every state at some frequencies, without a load those off the centre, and the number of its frequency."""
+        x, of, undecided = self._complete.states(Omega, F_0)
+        if undecided.size:
+            raise NotSettled("the response is unresolved: double precision is inconclusive close to a fold")
+        return x, of
 
     def _check_proof(self) -> None:
         """Raises ValueError: there is no proof of motions with a mean."""
@@ -520,15 +531,11 @@ class OffCentre(Unchanging, ComposedQuestions):
             return _Notes()
         return _Notes(diagnostics.MESSAGES[Remark.BEYOND_REACH].format(reach=reach, reason=reason), Remark.BEYOND_REACH)
 
-    def _response(self, found: list[Curve], F_0: float, notes: _Notes) -> FrequencyResponse:
-        found = sorted(found, key=lambda curve: curve.closed)
-        Omega, A, B = np.concatenate([np.empty((3, 0)), *(curve.place for curve in found)], axis=1)
-        branch = np.repeat(np.arange(len(found)), [curve.place.shape[1] for curve in found])
-        stable, h = Slow(self._steps, self._flow, F_0).stability(Omega, A, B)
-        notes = notes.combine(self._beyond_reach(A, B))
-        closed = tuple(curve.closed for curve in found)
-        extra = {"branch": branch, "isola": closed, "_h": h, "_flow": self._flow, **notes._asdict()}
-        return self._made(FrequencyResponse, Omega, A, stable, F_0, B=B, **extra)
+    def _response(self, found: Curves, F_0: float, notes: _Notes) -> FrequencyResponse:
+        stable, h = Slow(self._steps, self._flow, F_0).stability(found.Omega, found.A, found.B)
+        notes = notes.combine(self._beyond_reach(found.A, found.B))
+        extra = {"branch": found.branch, "isola": found.closed, "_h": h, "_flow": self._flow, **notes._asdict()}
+        return self._made(FrequencyResponse, found.Omega, found.A, stable, F_0, B=found.B, **extra)
 
     def _check_answered(self, question: str) -> None:
         """Raises where a question has no answer: what is too small, without damping, or leaves the centre by itself."""

@@ -147,7 +147,7 @@ class Reach:
 
     def _may_move(self, cells: Cells, F_0: float) -> Flags:
         """Which cells may hold a motion at F_0 that is stable."""
-        return np.asarray((cells.rising.hi > 0) & self.flow.may_move(cells, F_0))
+        return np.asarray((cells.rising.hi > 0) & (self.flow.needed(cells.A, cells.p) * (1 - ROUNDED) <= F_0))
 
     def _transmits_up_to(self, cells: Cells, F_0: float, level: Level) -> Floats:
         """Up to which frequency stable motions at F_0 may transmit a level, by cells; -inf where none does."""

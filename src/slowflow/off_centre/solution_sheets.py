@@ -9,14 +9,12 @@ state, a fold or a peak: `Sheets.states` and `Sheets.folds` are the boxes that m
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cache
 from typing import Any, NamedTuple
 
 import numpy as np
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import connected_components
 
 from slowflow.core.backend import SOLVER
 from slowflow.core.intervals import Interval
@@ -36,8 +34,6 @@ BELOW, DIVISIONS = 5, 4
 FINE, SMALL, ROUNDS = 2.0**-4, 2.0**-8, 16
 #: boxes that are enclosed at once: few enough for what is known of them to stay in the processor's caches
 TOGETHER = 4096
-#: how far apart cells next to each other are by rounding, beside their amplitude
-TOUCHING = 2.0**-40
 #: of R, by rows
 SIGNS = np.array([[-1.0], [1.0]])
 #: amplitudes beyond it are not followed, as their squares are beyond the range of doubles
@@ -161,42 +157,6 @@ class Sheets:
         """A and B of a motion in each, (2, n)."""
         x, y = 0.5 * (cells.low + cells.high)
         return np.stack(self.charts.motion(x, y, cells.chart))
-
-    def ranks(self, cells: Cells) -> tuple[Ints, Floats] | None:
-        """On which connected part of the balance cells are, and on which stretch of that in order, (2, n).
-
-        And the sign of the mean stiffness on each. Stretches end at turning points of the mean: along the balance A
-        rises where that sign is positive and falls where it is negative. None where cells next to each other leave it
-        open.
-        """
-        (low, high), signs = self._ends(cells), np.sign(cells.rising.ends)
-        side, high = np.where(signs[0] == signs[1], signs[0], 0.0), high + TOUCHING * cells.A.hi
-        below = np.less_equal.outer(low[0], high[0]) & np.less_equal.outer(low[1], high[1])
-        touching = np.array(np.nonzero(below & below.T))
-        one, other = touching[:, np.equal(*side[touching])]
-        count, stretch = connected_components(coo_array((np.ones(one.size), (one, other)), below.shape), False)
-        links = np.unique(np.sort(stretch[touching.T], axis=1), axis=0)
-        links = links[links[:, 0] != links[:, 1]]
-        if (np.bincount(links.ravel(), minlength=1) > 2).any():
-            return None
-        A, sign = (np.bincount(stretch, one) / np.bincount(stretch) for one in (cells.A.lo + cells.A.hi, side))
-        rank = np.zeros((2, count), dtype=np.intp)
-        for part, (tour, _) in enumerate(walks(range(count), links.tolist())):
-            rises = (sign[tour[1:]] + sign[tour[:-1]]) @ np.diff(A[tour]) >= 0
-            rank[0, tour], rank[1, tour] = part, np.arange(len(tour)) * (1 if rises else -1)
-        return rank[:, stretch], side
-
-    def apart(self, cells: Cells, x: Floats) -> Floats:
-        """How far A and B are from cells."""
-        (low, high), ends = self._ends(cells), (x[1] + x[0], x[0] - x[1])
-        off = (np.maximum(np.maximum(a - at, at - b), 0.0) for a, b, at in zip(low, high, ends, strict=True))
-        return np.asarray(sum(off))
-
-    def _ends(self, cells: Cells) -> Floats:
-        """B + A and A - B on cells: lower and upper ends, (2, 2, n)."""
-        charts, chart = self.charts, cells.chart
-        edge = charts.place[:, chart] * np.array([[1.0], [-1.0]])
-        return np.stack([np.where(charts.rooted[:, chart], at * at, at) + edge for at in (cells.low, cells.high)])
 
     def _wide(self, low: Floats, high: Floats, chart: Ints) -> Floats:
         """By how much either end of the motion changes over boxes."""
@@ -327,25 +287,3 @@ def halved(low: Floats, high: Floats, wide: Floats) -> tuple[Floats, Floats]:
     n, middle, upper, lower = np.arange(across.size), 0.5 * (low + high), high.copy(), low.copy()
     upper[across, n] = lower[across, n] = middle[across, n]
     return np.concatenate((low, lower), axis=1), np.concatenate((upper, high), axis=1)
-
-
-def walks(nodes: Iterable[int], links: Iterable[Sequence[int]]) -> list[tuple[list[int], bool]]:
-    """Nodes with two links at most as the ways that these make, and whether each is closed; it ends as it begins then.
-
-    Open ones go from their end that comes first.
-    """
-    others: dict[int, list[int]] = {node: [] for node in nodes}
-    for one, two in links:
-        others[one].append(two)
-        others[two].append(one)
-    found, seen = [], set()
-    for start in sorted(others, key=lambda node: len(others[node]) == 2):
-        way, node = [], None if start in seen else start
-        while node is not None:
-            seen.add(node)
-            way.append(node)
-            node = next((other for other in others[node] if other not in seen), None)
-        if way:
-            closed = len(way) > 2 and way[0] in others[way[-1]]
-            found.append((way + way[:1] * closed, closed))
-    return found
