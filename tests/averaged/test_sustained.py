@@ -39,7 +39,7 @@ def least_force(a, zeta, alpha=1.0, beta=-0.1):
 def test_sustained_free_motions_are_those_of_adaptive_quadrature():
     for a in (0.5, 2.0, 2.936, 3.1):
         omega, J, A_1, _ = least_force(a, 0.022)
-        found = np.array(free_motions(DUFFING, (1.0, -0.1), np.array([a]))).ravel()
+        found = np.array(free_motions(DUFFING, (1.0, -0.1, 0.0), np.array([a]))).ravel()
         np.testing.assert_allclose(found, [omega, J, A_1], rtol=2e-3)
 
 
@@ -69,7 +69,7 @@ def test_sustained_states_beside_resonance_balance(zeta, inertial):
         supplied = 2 * zeta * Omega * A * ((frequency / Omega) ** 2 if inertial else 1)
         shares.append(np.hypot(a * (frequency**2 - omega**2), taken) / supplied)
     assert 0.95 < min(shares) < 0.99
-    flow = SlowFlow(DUFFING, (1.0, -0.1), 0.0, zeta, "base" if inertial else "force")
+    flow = SlowFlow(DUFFING, (1.0, -0.1, 0.0), 0.0, zeta, "base" if inertial else "force")
     assert unsustained(flow, np.array([Omega]), np.array([A])).tolist() == [False]
 
 

@@ -361,7 +361,7 @@ def test_the_absolute_displacement_is_that_of_mass_and_base():
     assert found.absolute_rms() == pytest.approx([math.sqrt(total)], rel=1e-4)
     assert Isolator(**DESIGN, zeta=0.02).random(S_0=1e-4).absolute_rms().tolist() == [math.inf]
     for ends in ([1e-80, 5.0], [0.1, 1e85]):
-        with pytest.raises(OverflowError, match="density of the base's displacement"):
+        with pytest.raises(OverflowError, match="density of the displacement of the base"):
             Isolator(**DESIGN, zeta=0.02).random(psd=(ends, [1e-3, 2e-3])).absolute_rms()
     mount = Isolator.physical(**MOUNT).random(psd=ROAD)
     assert mount.absolute_rms()[0] == pytest.approx(0.080 * mount.answer.absolute_rms()[0])
@@ -440,16 +440,18 @@ def derivatives(function, at):
 
 
 @mp.workdps(40)
-def test_gradient_of_a_cubic_spring_is_that_of_closed_forms():
-    def rms(alpha, beta, mu, zeta, S_0):
+def test_gradient_of_a_spring_is_that_of_closed_forms():
+    def rms(alpha, beta, gamma, mu, zeta, S_0):
         v = velocity_under(S_0, mu, zeta)
-        s = 2 * v**2 / (alpha + mp.sqrt(alpha**2 + 12 * beta * v**2))
-        of_f = alpha**2 * s + 6 * alpha * beta * s**2 + 15 * beta**2 * s**3
+        cubic = 2 * v**2 / (alpha + mp.sqrt(alpha**2 + 12 * beta * v**2))
+        s = mp.findroot(lambda s: alpha * s + 3 * beta * s**2 + 15 * gamma * s**3 - v**2, cubic)
+        of_f = alpha**2 * s + 6 * alpha * beta * s**2 + 15 * (beta**2 + 2 * alpha * gamma) * s**3
+        of_f += 210 * beta * gamma * s**4 + 945 * gamma**2 * s**5
         return mp.sqrt(s), v, mp.sqrt(of_f + mu**2 + 4 * mu * zeta * mp.sqrt(2 / mp.pi) * v + 4 * zeta**2 * v**2)
 
-    at = (1.25, 0.75, 0.04, 0.03, 0.02)
-    found = Duffing(*at[:2], mu=at[2], zeta=at[3]).random(S_0=at[4]).gradient()
-    assert found.by == ("alpha", "beta", "mu", "zeta", "S_0")
+    at = (1.25, 0.75, 0.5, 0.04, 0.03, 0.02)
+    found = Duffing(*at[:2], gamma=at[2], mu=at[3], zeta=at[4]).random(S_0=at[5]).gradient()
+    assert found.by == ("alpha", "beta", "gamma", "mu", "zeta", "S_0")
     for i, row in enumerate(found.slopes[0]):
         assert row == pytest.approx(derivatives(lambda *x, i=i: rms(*x)[i], at), rel=2e-13, abs=1e-15)
 

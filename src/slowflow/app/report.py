@@ -431,9 +431,10 @@ class Report:
         subject = Subject(self.of)
         if subject.loaded:
             raise NotAvailable("a map of designs under a load, as each of its points takes tenths of a second")
-        *_, x, y = map(subject.name, subject.mechanism.design_names)
-        if not (subject.nominal[x] and subject.nominal[y]):
+        names = [name for name in map(subject.name, subject.mechanism.design_names) if subject.nominal[name]]
+        if len(names) < 2:
             return
+        *_, x, y = names
         factors = np.linspace(1 - REACH, 1 + REACH, MAPPED)
         columns, rows = subject.nominal[x] * factors, subject.nominal[y] * factors
         onset = next(name for name, plain in subject.answers.items() if plain == "F_SN")

@@ -82,7 +82,7 @@ class Tabulated:
         with np.errstate(over="ignore", under="ignore"):
             density = self.G / self.Omega**2 / self.Omega**2
         if not ((density > 0) & np.isfinite(density)).all():
-            raise OutOfRange("the density of the base's displacement, psd over Omega^4, exceeds the range of doubles")
+            raise OutOfRange("the density of the displacement of the base exceeds the range of doubles")
         of_z = EXACT.table(np.stack((self.Omega, density), axis=1))
         I_0, I_2 = np.exp(np.frombuffer(EXACT.moments(of_z, math.log(k), math.log(c), 0.0, 0.0))[:2])
         return float(k**2 * I_0 + c**2 * I_2)
