@@ -7,6 +7,7 @@ move as those about the centre do (`slowflow.answers.sensitivities`).
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
@@ -26,6 +27,8 @@ from slowflow_kernels.conventions import MEETING, SAME, GradientStatus, PointTyp
 
 #: answers on a corner that a jump of the force makes, which move in their own ways on either side of it
 ON_A_JUMP = (PointType.CORNER_FOLD, PointType.CORNER_END)
+#: beside A, how near to a breakpoint an onset lies on it: F_AA changes its sign there, as the slope of the force jumps
+ON_A_KINK = 2.0**-30
 
 NO_DESIGN = "no gradient: the record of this force does not have its derivatives with respect to the design"
 
@@ -124,6 +127,11 @@ def gradient(
     shape = np.shape(point[0])
     A, B, Omega, F_0 = (np.atleast_1d(np.broadcast_to(np.asarray(one, dtype=float), shape)).ravel() for one in point)
     kinds = np.broadcast_to(np.asarray(kinds), A.shape)
+    ends = design.steps.breakpoints
+    ends = np.append(ends, -ends) if design.steps.odd else ends
+    apart = np.abs(np.stack((B + A, B - A))[..., np.newaxis] - ends).min(axis=(0, 2), initial=math.inf)
+    on_a_kink = apart <= ON_A_KINK * A
+    kinds = np.where(on_a_kink & np.isin(kinds, (PointType.CUSP, PointType.ISOLA)), PointType.CORNER_END, kinds)
     names = (*design.names, *arguments)
     slopes, status = np.full((A.size, len(of), len(names)), np.nan), np.full(A.size, GradientStatus.OK, np.int8)
     values = np.full((len(of), A.size), np.nan)
