@@ -634,6 +634,18 @@ def test_curve_without_folds_climbs_a_narrow_resonance():
     assert curve.A[::100] == pytest.approx(osc.amplitudes(Omega=curve.Omega[::100], F_0=0.0206).A, rel=1e-9)
 
 
+@pytest.mark.parametrize(
+    ("alpha", "beta", "zeta", "load", "F_0"), [(1.0, -0.82, 0.015, 0.165, 0.064), (-0.28, 1.92, 0.033, 0.022, 0.078)]
+)
+def test_curves_pass_all_states_where_the_mean_turns(alpha, beta, zeta, load, F_0):
+    osc = Duffing(alpha, beta, zeta=zeta, load=load)
+    curve = osc.frequency_response(F_0)
+    for Omega in (0.1, 0.45, 0.62, 0.8, 1.3):
+        on_both_sides = (curve.Omega[1:] - Omega) * (curve.Omega[:-1] - Omega) < 0
+        crossed = int((on_both_sides & (np.diff(curve.branch) == 0)).sum())
+        assert crossed == len(osc.amplitudes(Omega=Omega, F_0=F_0))
+
+
 def test_missing_gradient_under_a_load_is_explained(loaded):
     heavy = loaded.replace(load=0.1).saddle_node_onset()
     assert heavy.kind == "corner" and "reaches a breakpoint" in heavy.gradient().message
