@@ -136,9 +136,11 @@ DATA_SHEET: Mapping[str, tuple[str, str]] = MappingProxyType(
     }
 )
 SHEET: Mapping[str, str] = MappingProxyType({name: unit for name, (unit, _) in DATA_SHEET.items()})
+#: stiffnesses of `Duffing.physical`
+SPRINGS = ("k_1", "k_3", "k_5")
 #: a mount's names for the letters of the scales of its design and its damping
 NAMES = {"lam": "n", "k_h": "k_h", "Delta_h": "preload", "F_c": "friction", "c": "c", "c_q": "c_2", "c_c": "c_3"}
-NAMES |= {"c_xx": "c_xx", "k_1": "k_1", "k_3": "k_3", "k_5": "k_5"}
+NAMES |= {one: one for one in ("c_xx", *SPRINGS)}
 #: numbers of a mount that add up over several
 PER_MOUNT = ("k_v", "k_h", "friction", "c", "c_2", "c_3", "c_xx")
 #: the bases of all scales, in the order of their powers
@@ -165,8 +167,7 @@ OF_KIND: Mapping[str, Scale] = MappingProxyType(
         "speed": Scale("v", 1.0, (0.5, 1.0, -0.5)),
     }
 )
-#: stiffnesses of `Duffing.physical`, and their scales by the dimensionless names
-SPRINGS = ("k_1", "k_3", "k_5")
+#: scales of the stiffnesses of `Duffing.physical`, by their dimensionless names
 OF_SPRINGS = {
     name: Scale(spring, 1.0, (1.0, -2.0 * order, 0.0))
     for order, (name, spring) in enumerate(zip(("alpha", "beta", "gamma"), SPRINGS, strict=True))

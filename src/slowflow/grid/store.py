@@ -214,7 +214,7 @@ def _identity(ask: Ask, values: Mapping[str, Any], sizes: Mapping[str, int]) -> 
 
 
 def _digest(array: Any) -> Any:
-    """A word for the content of an array; a single number stands for itself, which a refusal then shows."""
+    """A word for the content of an array; a single number is its own word, so that a refusal shows it."""
     if array.size == 1 and array.dtype.kind in "fiu":
         return array.item()
     content = array.tobytes() if array.dtype.kind in "fiubmM" else repr(array.tolist()).encode()

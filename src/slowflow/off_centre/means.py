@@ -37,7 +37,7 @@ UNBOUNDED = "the outermost piece of the force does not grow: offset motions are 
 
 #: derivatives of the force that are asked for at most, as `off_centre.averaged` does
 ORDERS = 3
-#: steps of Newton's method, how short one is after which there is no other, and how near it comes at least, beside A
+#: most steps of Newton's method; relative to A, the length of its last step, and of one that shows that it converges
 STEPS, SETTLED, BALANCED = 8, 2.0**-48, 2.0**-30
 #: places at which a piece is looked at to bound it
 GRID = 64

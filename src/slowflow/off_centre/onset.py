@@ -33,9 +33,9 @@ MOST_BOXES, FEW = 100_000, 2000
 #: how often boxes are cut in four: then both sides are as narrow as doubles allow, and the same box would come back;
 #: sides that end at 0 take a halving for each power of 2 that doubles have
 MOST_ROUNDS = 1100
-#: positions on both sides of a point, in parts of a width, by which a least level or a root is told
+#: positions on both sides of a point, as fractions of a width, at which a least level or a root is looked for
 POSITIONS = np.linspace(-1.0, 1.0, 17)
-#: widths beside A + |B|: at first, at last, and within which values have their roundings only; steps at most
+#: widths relative to A + |B|: the first, the last, and one within which values differ by rounding only; most steps
 WIDEST, NARROWEST, NEAR, MOST_STEPS = 0.05, 1e-6, 2.0**-36, 200
 
 

@@ -27,7 +27,7 @@ from slowflow_kernels.conventions import MEETING, SAME, GradientStatus, PointTyp
 
 #: answers on a corner that a jump of the force makes, which move in their own ways on either side of it
 ON_A_JUMP = (PointType.CORNER_FOLD, PointType.CORNER_END)
-#: beside A, how near to a breakpoint an onset lies on it: F_AA changes its sign there, as the slope of the force jumps
+#: distance from a breakpoint, relative to A, within which an onset lies on it: F_AA jumps there, with the force's slope
 ON_A_KINK = 2.0**-30
 
 NO_DESIGN = "no gradient: the record of this force does not have its derivatives with respect to the design"
