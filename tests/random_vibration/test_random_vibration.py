@@ -679,6 +679,15 @@ def test_records_of_a_linear_oscillator_are_its_answer():
     assert record.kurtosis == pytest.approx(3.0, abs=0.4)
 
 
+@pytest.mark.slow
+def test_records_settle_where_damping_is_more_than_critical():
+    """The way back to the mean takes 17 times as long as the velocity: a record is much shorter."""
+    found = Duffing(1.0, 0.0, zeta=3.0).random(S_0=0.01)
+    record = found.measure(samples=6400, records=64)
+    assert_measured(record, u_rms=math.sqrt(math.pi * 0.01 / 6), v_rms=math.sqrt(math.pi * 0.01 / 6))
+    assert record.u_margin < 0.25 * record.u_rms
+
+
 def test_friction_of_most_of_the_damping_is_named():
     assert Isolator(**DESIGN, mu=0.012, zeta=0.02).random(S_0=1e-3).message == ""
     found = Isolator(**DESIGN, mu=0.05, zeta=0.02).random(S_0=1e-3)

@@ -21,6 +21,7 @@ from slowflow.exact import motion
 from slowflow.exact.cycle import Cycle, closed_cycle, required_half_turns, sticks_at_jump
 from slowflow.exact.motion import TURN, Forced, Phase, check_forcing, check_numbers, follow, limited
 from slowflow.support.errors import NotSettled, Refused
+from slowflow.support.quadrature import gauss
 from slowflow.support.text import Sentence
 
 MOST_TURNS = 3000  # of the forcing, before time stepping gives up
@@ -207,10 +208,10 @@ class SteadyState(Answer):
 
     def _on_nodes(self) -> Iterator[tuple[Phase, Floats, Floats]]:
         """Each phase with angles in it and their weights, by Gauss's rule."""
-        nodes, weights = np.polynomial.legendre.leggauss(GAUSS_NODES)
+        nodes, weights = gauss(GAUSS_NODES)
         for phase in self.phases:
-            half = 0.5 * (phase.end - phase.theta)
-            yield phase, phase.theta + half * (1.0 + nodes), half * weights
+            width = phase.end - phase.theta
+            yield phase, phase.theta + width * nodes, width * weights
 
     def _wave(self, of: str, phase: Phase, theta: Floats) -> Floats:
         """The wave `of` the motion within a phase."""

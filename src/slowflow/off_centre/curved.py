@@ -25,6 +25,7 @@ import numpy as np
 from slowflow.core.intervals import ALL, Elementary, Interval
 from slowflow.core.mechanism import Flags
 from slowflow.core.model import Floats
+from slowflow.support.quadrature import gauss
 
 #: nodes of Gauss's rule on each panel, and its most panels between two ends
 NODES, MOST_PANELS = 16, 256
@@ -37,11 +38,11 @@ TOGETHER = 1 << 20
 #: roundings outwards
 _OUT = np.array([[-(2.0**-48)], [2.0**-48]])
 
-_AT, _WEIGHTS = np.polynomial.legendre.leggauss(NODES)
+_AT, _WEIGHTS = gauss(NODES)
 _FRACTIONS = np.linspace(0.0, 1.0, PANELS + 1)
 #: dense where a motion turns, about which a stiff force acts
 _EDGES = np.pi * _FRACTIONS**2 * (3 - 2 * _FRACTIONS)
-_INSIDE = _EDGES[:-1, np.newaxis] + 0.5 * (1 + _AT) * np.diff(_EDGES)[:, np.newaxis]
+_INSIDE = _EDGES[:-1, np.newaxis] + _AT * np.diff(_EDGES)[:, np.newaxis]
 #: cosine at the edges of the panels
 _COSINE = np.cos(_EDGES)
 _COSINE[PANELS // 2] = 0.0
@@ -49,7 +50,7 @@ _COSINE[PANELS // 2] = 0.0
 
 def _weights(weight: Any) -> Floats:
     """The mean over each panel of a function of the cosine, over the half cycle, which has one sign on each."""
-    return np.asarray(weight(np.cos(_INSIDE)) @ _WEIGHTS * np.diff(_EDGES) / (2 * np.pi))
+    return np.asarray(weight(np.cos(_INSIDE)) @ _WEIGHTS * np.diff(_EDGES) / np.pi)
 
 
 #: of moments with (1 + cos)^i (1 - cos)^j, on boxes of both ends, and with cos^p, on boxes of A and B
@@ -61,10 +62,10 @@ _TURNED = {1: _weights(lambda c: c * (1 + c)), -1: _weights(lambda c: c * (1 - c
 @cache
 def _rule(panels: int) -> tuple[Floats, Floats]:
     """Nodes on panels of (0, 1), and weights of means over the cycle, of which it is the half, (k,)."""
-    x = ((np.arange(panels)[:, np.newaxis] + 0.5 * (1 + _AT)) / panels).ravel()
+    x = ((np.arange(panels)[:, np.newaxis] + _AT) / panels).ravel()
     # dense next to both ends, in the third power
     fraction = x**3 * (10 - 15 * x + 6 * x * x)
-    return fraction, np.tile(_WEIGHTS, panels) / (2 * panels * np.pi) * 30 * (x * (1 - x)) ** 2
+    return fraction, np.tile(_WEIGHTS, panels) / (panels * np.pi) * 30 * (x * (1 - x)) ** 2
 
 
 class Part(NamedTuple):

@@ -25,6 +25,7 @@ from numpy.polynomial import legendre
 
 from slowflow.core.mechanism import EquationOfMotion, Floats
 from slowflow.support.errors import NotSettled
+from slowflow.support.quadrature import gauss
 from slowflow_kernels import motion
 
 #: -ln w from which on velocities are left out, and displacements of the same energy; up to so many root mean squares
@@ -41,12 +42,11 @@ GIVES_WAY = (
 )
 UNSETTLED = "the stationary density is not resolved: root mean squares still change by more than 0.01 % with more nodes"
 
-_at, _weights = legendre.leggauss(POINTS)
-#: of the rule on (0, 1): nodes and weights; to values and slopes there from values at both ends and between them
-AT, WEIGHTS = 0.5 * (1 + _at), 0.5 * _weights
+#: nodes and weights of a panel on (0, 1); to values and slopes there from values at both ends and between them
+AT, WEIGHTS = gauss(POINTS)
 _coefficients = np.linalg.inv(legendre.legvander(-np.cos(np.pi * np.arange(POINTS + 1) / POINTS), POINTS))
-VALUES = legendre.legvander(_at, POINTS) @ _coefficients
-SLOPES = 2 * legendre.legvander(_at, POINTS - 1) @ legendre.legder(_coefficients)
+VALUES = legendre.legvander(2 * AT - 1, POINTS) @ _coefficients
+SLOPES = 2 * legendre.legvander(2 * AT - 1, POINTS - 1) @ legendre.legder(_coefficients)
 
 
 def averages(system: EquationOfMotion, S_0: float, B: float, u_rms: float, v_rms: float, beyond: float) -> Floats:
@@ -123,8 +123,8 @@ def _velocities(reference: EquationOfMotion, D: float, far: float, n: int) -> tu
     Polynomials orthogonal under w have coefficients that are integrals (Stieltjes), whose matrix has the nodes as
     eigenvalues (Golub and Welsch), with its last element such that one of these is 0.
     """
-    at, weights = legendre.leggauss(NODES)
-    v = far / FINE * (np.arange(FINE)[:, np.newaxis] + 0.5 * (1 + at)).ravel()
+    at, weights = gauss(NODES)
+    v = far / FINE * (np.arange(FINE)[:, np.newaxis] + at).ravel()
     w = np.tile(weights, FINE) * np.exp(-_less_log_w(reference, D, v))
     p, before, norm = np.full(v.size, 1 / math.sqrt(w.sum())), np.zeros(v.size), 0.0
     J = np.zeros((n + 1, n + 1))

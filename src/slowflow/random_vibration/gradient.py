@@ -22,6 +22,7 @@ from slowflow.answers.sensitivities import OF_FUNCTIONS, OF_RECORD
 from slowflow.core import validate
 from slowflow.core.mechanism import EquationOfMotion
 from slowflow.random_vibration.excitation import IMAGINARY
+from slowflow.support.quadrature import gauss
 from slowflow_kernels import linearization
 from slowflow_kernels.conventions import GradientStatus
 
@@ -29,9 +30,8 @@ from slowflow_kernels.conventions import GradientStatus
 LAWS = "mu", "zeta", "c_2", "c_3", "zeta_2"
 #: u/sigma up to which averages reach
 FARTHEST = 12.0
-_at, _weights = np.polynomial.legendre.leggauss(20)
-#: of Gauss's rule on (0, 1), for a panel of displacements
-AT, WEIGHTS = 0.5 * (1 + _at), 0.5 * _weights
+#: of Gauss's rule for a panel of displacements
+AT, WEIGHTS = gauss(20)
 #: a determinant below which two motions are one, that of two motions far apart being some units
 SINGULAR = 1e-12
 

@@ -27,7 +27,7 @@ from slowflow_kernels import linearization
 FRACTION, DAMPED, SAMPLED = 0.1, 0.01, 0.7
 #: what may be left out of the mean square of the velocity above the highest frequency
 LEFT_OUT, GRID = 1e-5, 4001
-#: times over that of the linear oscillator's decay that a record is followed before it counts
+#: times over that in which the energy of the linear oscillator decays that a record is followed before it counts
 BEFORE = 12.0
 #: steps of integration that a sample may take on the average
 STEPS = 50
@@ -49,7 +49,9 @@ def measured(
     records = validate.count("records", records, least=2)
     each = validate.count("samples", samples, least=100 * records) // records
     step, top = steps(excitation, float(k.max()), c)
-    before = math.ceil(BEFORE / (step * float(c.min())))
+    # more damping than critical slows the way back to the mean
+    decays = np.minimum(c, 4 * k / (c + np.sqrt(np.maximum(c**2 - 4 * k, 0.0))))
+    before = math.ceil(BEFORE / (step * float(decays.min())))
     system = replace(system, inertial=False)
     below, above = system.force.first_ends
     random = np.random.default_rng(seed)

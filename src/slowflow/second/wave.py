@@ -16,6 +16,7 @@ import numpy as np
 from slowflow.answers.transmissibility import Transmitted
 from slowflow.core.mechanism import Force, Ints
 from slowflow.core.model import Floats, Model
+from slowflow.support.quadrature import gauss
 from slowflow_kernels import motion
 from slowflow_kernels import second_approximation as kernels
 from slowflow_kernels.second_conventions import ROUNDING, STEPS
@@ -83,10 +84,10 @@ class Waves:
             return -np.asarray(motion.acceleration(0.0, v, 0.0, model.zeta, -model.mu, self._force(u)))
 
         edges = self._edges()
-        nodes, weights = np.polynomial.legendre.leggauss(NODES)
+        nodes, weights = gauss(NODES)
         low, high = edges[:, :-1, np.newaxis], edges[:, 1:, np.newaxis]
-        turned = low + (high - low) * (0.5 * (1.0 + nodes))
-        weight = (high - low) * (0.5 * weights) / np.pi
+        turned = low + (high - low) * nodes
+        weight = (high - low) * weights / np.pi
         values = value(turned, (slice(None), None, None))
         # its harmonics beside the first one, which the balance has
         square = (weight * values**2).sum(axis=(1, 2))
