@@ -202,6 +202,17 @@ def test_a_motion_in_a_narrow_stiff_zone_is_found(cut):
     assert found.B == pytest.approx([1.065 + 0.065 * x], rel=1e-4)
 
 
+def test_a_motion_is_found_although_narrow_pieces_pull_outwards():
+    """Each is joined with the narrow piece after it to one cell, which pushes back as little as either of them."""
+    u, w = sp.Symbol("u"), sp.Rational(3, 100)
+    left, right = [(u, -1 - 2 * w), (u + 133, -1 - w), (u, -1)], [(u, 1), (u - 133, 1 + w), (u, 1 + 2 * w)]
+    one = derive.mechanism("narrow_pulls", [*left, *right, (u, None)], {}, odd=False, compile=False)(zeta=0.05)
+    found = one.random(S_0=0.1)
+    excess, stiffness = averages(one.restoring_force(), 0.0, float(found.B[0]), float(found.u_rms[0]))
+    assert excess == pytest.approx(0.0, abs=1e-9)
+    assert found.u_rms**2 * stiffness == pytest.approx([math.pi], rel=1e-9)
+
+
 @pytest.mark.parametrize("case", range(3))
 def test_small_motions_have_the_mean_of_the_exact_density(case, stop):
     """What a mean is off its equilibrium, -f'' sigma^2/(2 f'), and sigma next to it; a quadratic force about a load."""
