@@ -13,7 +13,7 @@ from scipy import signal, stats
 
 from slowflow.app import report, scenes, verdict
 from slowflow.exact import measure
-from slowflow.sizing.fitting import _loop_of_design
+from slowflow.sizing.fitting import loop_of_design
 from tests.files import ROOT
 
 g = 9.80665
@@ -182,7 +182,7 @@ def test_its_loop_is_that_of_the_springs(scene):
     t, x, F = np.loadtxt(ROOT / "scenes" / "loop.csv", delimiter=",", skiprows=2).T
     v = np.gradient(x / 1e3, t)
     own = (force(x / 1e3) + C * v + FRICTION * np.sign(v)) / 4
-    drawn, _, by_design = _loop_of_design(scene.oscillator, **scene.loop)
+    drawn, _, by_design = loop_of_design(scene.oscillator, **scene.loop)
     goes = np.isin(np.round(x, 4), np.round(1e3 * drawn, 4))
     np.testing.assert_allclose(by_design, (own - own[goes].mean())[goes], atol=2e-3)
     (rms,) = re.findall(r"<figcaption>[^<]*They differ by ([\d.]+) N RMS", report.html(scene))

@@ -28,7 +28,7 @@ from slowflow.app.verdict import in_words, verdict
 from slowflow.core.validate import NotAvailable
 from slowflow.oscillators.isolator import Isolator
 from slowflow.oscillators.physical import Physical
-from slowflow.sizing.fitting import _loop_of_design
+from slowflow.sizing.fitting import loop_of_design
 from slowflow.sizing.subject import Load, Subject
 from slowflow.support.errors import Refused
 from slowflow.support.text import in_units
@@ -397,7 +397,7 @@ class Report:
     def loop(self) -> Iterator[str]:
         """A force-displacement loop that was measured, and the one of the design."""
         if self.scene.loop:
-            x, F, force = _loop_of_design(self.of, **self.scene.loop)
+            x, F, force = loop_of_design(self.of, **self.scene.loop)
             (of_x, mm), (of_F, N) = in_shown("m"), in_shown("N")
             names = pictures.measured("x", of_x), pictures.measured("F", of_F)
             ax = pictures.loop(page.axes(), x / mm, F / N, force / N, names, "design")

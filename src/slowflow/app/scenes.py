@@ -426,7 +426,8 @@ class _Reader:
     def _loop(self, kind: Kind) -> dict[str, list[float]]:
         """A measured force-displacement loop, in SI units."""
         # here, not above: it imports SciPy
-        from slowflow.sizing.fitting import LEAST_SAMPLES, _samples
+        from slowflow.sizing.fitting import LEAST_SAMPLES
+        from slowflow.sizing.samples import in_time
 
         table = self._table("loop")
         if not kind.in_si:
@@ -434,7 +435,7 @@ class _Reader:
         self._known("loop", table, OF_A_LOOP)
         self._complete("loop", table, OF_A_LOOP[:2])
         rows = {key: self._numbers(key, "loop") for key in table}
-        self._tried("loop", table, lambda: _samples(rows, LEAST_SAMPLES))
+        self._tried("loop", table, lambda: in_time(rows, LEAST_SAMPLES))
         return rows
 
     def _free(self, oscillator: Any, kind: Kind) -> dict[str, tuple[float, float]]:

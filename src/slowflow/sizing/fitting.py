@@ -27,6 +27,7 @@ from slowflow.exact.motion import MOST_STEPS, handle, system_of
 from slowflow.exact.transient import record
 from slowflow.oscillators.range_checks import Implausible
 from slowflow.random_vibration.record import accelerations
+from slowflow.sizing.samples import CONSTANT, in_time, velocity
 from slowflow.sizing.subject import Measured, Subject, first_jump
 from slowflow.support.errors import NotSettled, Refused
 
@@ -60,10 +61,6 @@ MEMBERS, GENERATIONS, PATIENCE, NEARLY = 12, 600, 40, 1e-2
 DECADES = (-2.5, -0.3)
 OTHER_START = "a search from the given start ends with a sum of squares of {:.3g}, from another one with {:.3g}"
 OPEN = "the points do not determine {}: an interval has no end within 1/1000 to 1000 times the start value"
-#: slower than this share of the fastest, a motion turns: friction changes sides, and may take a displacement for it
-TURNS = 0.1
-#: samples of the polynomials that give the velocity, one in so many of all, and their degree
-WINDOW, DEGREE = 40, 3
 #: the displacement that a free decay begins with
 RELEASED = "x_0"
 LEAST_SAMPLES = 10
@@ -535,33 +532,35 @@ def _backbone(subject: Subject, amplitudes: Any, frequencies: Any) -> _Measured:
     return _Measured(measured, A, of_designs, _names(subject, "A", subject.names[1], "m", "Hz"))
 
 
-def _samples(rows: Mapping[str, Any], least: int, *, in_si: bool = True) -> dict[str, Floats]:
-    """Rows of x, F and t of one length, of at least so many samples."""
-    units = {"x": "m", "F": "N", "t": "s"}
-    known = {
-        name: validate.finite_array(name, si(name, row, units[name]) if in_si else row) for name, row in rows.items()
-    }
-    if any(row.shape != (known["x"].size,) for row in known.values()) or known["x"].size < least:
-        raise Refused(f"{', '.join(known)} must be rows of one length, of at least {least} samples")
-    if "t" in known and (np.diff(known["t"]) <= 0).any():
-        raise Refused("t is not allowed: the times must be ascending")
-    return known
-
-
 def _in_time(subject: Subject, rows: Mapping[str, Any]) -> _Measured:
     """Displacements of a free decay at times, or forces of a loop at displacements."""
     rows = {name: row for name, row in rows.items() if row is not None}
     if len(rows) < 2:
         raise Refused("x needs t, the times of a free decay, or F, the forces of a loop")
-    known = _samples(rows, LEAST_SAMPLES, in_si=subject.mount is not None)
+    known = in_time(rows, LEAST_SAMPLES, in_si=subject.mount is not None)
     validate.is_in_time("a fit to motions in time", subject.laws)
     return _loop(subject, **known) if "F" in known else _decay(subject, **known)
 
 
-def _loop_of_design(of: Any, x: Any, F: Any, t: Any = None) -> tuple[Floats, Floats, Floats]:
-    """A loop measured on one mount, and the force of the design: displacements, and both forces less their means.
+def loop_of_design(of: Any, x: Any, F: Any, t: Any = None) -> tuple[Floats, Floats, Floats]:
+    """Compare a loop measured on one mount with the force of the design.
 
-    Arguments and errors are as in `fit`; samples at which the motion reverses are left out.
+    Parameters
+    ----------
+    of : Physical
+        The design, of one mount or several equal ones.
+    x, F, t : array_like
+        Displacements in m, forces in N, times in s (optional), as in `fit`.
+
+    Returns
+    -------
+    tuple of numpy.ndarray
+        Displacements, measured and computed forces less their means, without the samples at which the motion reverses.
+
+    Raises
+    ------
+    ValueError
+        As `fit`.
     """
     subject = Subject(of)
     measured = _in_time(subject, {"x": x, "F": np.multiply(F, subject.mounts), "t": t})
@@ -608,10 +607,9 @@ def _loop(subject: Subject, x: Floats, F: Floats, t: Floats | None = None) -> _M
     """A force-displacement loop where the motion does not turn, less its mean force; slow where there are no times."""
     if subject.contact != THROUGHOUT:
         raise validate.NotAvailable(f"a fit to a loop is not available with contact = {subject.contact!r}")
-    v = _velocity(x) / (1.0 if t is None else _velocity(t))
-    goes = np.abs(v) > TURNS * np.abs(v).max()
+    v, goes = velocity(x, t)
     if not goes.any():
-        raise NotSettled("the loop does not determine a spring: x does not change")
+        raise NotSettled(CONSTANT)
     x, v, F = x[goes], v[goes] if t is not None else SLOW * np.sign(v[goes]), F[goes]
 
     def of_designs(values: Mapping[str, Any], _: bool) -> Floats:
@@ -623,10 +621,3 @@ def _loop(subject: Subject, x: Floats, F: Floats, t: Floats | None = None) -> _M
         return found
 
     return _Measured(F - F.mean(), x, of_designs, _names(subject, "x", "F", "m", "N"))
-
-
-def _velocity(x: Floats) -> Floats:
-    """By sample, from polynomials through neighbours: noise in the displacement does not turn the motion."""
-    from scipy.signal import savgol_filter
-
-    return np.asarray(savgol_filter(x, max(DEGREE + 2, x.size // WINDOW) | 1, DEGREE, deriv=1))

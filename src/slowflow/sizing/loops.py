@@ -15,7 +15,8 @@ from slowflow.answers.quantities import SHEET, SPRINGS, in_shown
 from slowflow.core.mechanism import Floats
 from slowflow.oscillators.isolator import Duffing
 from slowflow.oscillators.physical import Physical
-from slowflow.sizing.fitting import CONFIDENCE, TURNS, Numbers, _samples, _velocity
+from slowflow.sizing.fitting import CONFIDENCE, Numbers
+from slowflow.sizing.samples import CONSTANT, in_time, velocity
 from slowflow.support.errors import NotSettled, Refused
 
 if TYPE_CHECKING:
@@ -118,10 +119,9 @@ def from_loop(x: Any, F: Any, *, t: Any = None, degree: int = 3) -> Loop:
     """
     if degree not in (3, 5):
         raise Refused(f"degree = {degree!r} is not allowed: it must be 3 or 5")
-    rows = _samples({"x": x, "F": F} | ({} if t is None else {"t": t}), LEAST_SAMPLES)
+    rows = in_time({"x": x, "F": F} | ({} if t is None else {"t": t}), LEAST_SAMPLES)
     x, F = rows["x"], rows["F"]
-    v = _velocity(x) / (1.0 if t is None else _velocity(rows["t"]))
-    goes = np.abs(v) > TURNS * np.abs(v).max()
+    v, goes = velocity(x, rows.get("t"))
     columns = {
         "F_mean": np.ones_like(x),
         **{name: x**power for name, power in zip(SPRINGS, (1, 3, 5), strict=True) if power <= degree},
@@ -131,7 +131,7 @@ def from_loop(x: Any, F: Any, *, t: Any = None, degree: int = 3) -> Loop:
     names = list(columns)
     size = np.array([np.abs(column).max() for column in columns.values()])
     if not (size > 0).all():
-        raise NotSettled("the loop does not determine a spring: x does not change")
+        raise NotSettled(CONSTANT)
     of = np.stack(list(columns.values()), axis=1) / size
     value, _, rank, _ = np.linalg.lstsq(of[goes], F[goes])
     left = np.count_nonzero(goes) - len(names)
