@@ -136,6 +136,10 @@ SYSTEMS = {
         )
     },
     **{name: one for law in LAWS for name, one in loaded(law).items()},
+    # an onset where only the slope of the force jumps; folds at a jump, and an onset where the folds before it end
+    "kink": system(Isolator, {"lam": 3.0, "r": 1.0, "delta_h": 0.1, "mu": 0.005, "zeta": 0.09, "load": -0.04}, at(0.11),
+                   "onset", force="untruncated"),
+    "folds at a jump": system(Isolator, TABLE_1 | {"load": 0.1}, at(0.06), "folds"),
     "untruncated": system(Isolator, TABLE_1 | {"load": 0.01}, at(0.04), "detachment", force="untruncated"),
     "steep": system(Isolator, {"lam": 2.0, "r": 0.6, "delta_h": 0.7, "mu": 0.02, "zeta": 0.05, "load": -0.2}, at(0.15),
                     "detachment", force="untruncated"),
@@ -179,6 +183,8 @@ SYSTEMS = {
     },
     "loaded mount": system(Isolator.physical, {**SHEET, "zeta": 0.02, "load": 12.12}, {"F": 5.0, "f": 2.0},
                            "rest isolation peak detachment onset", n=3),
+    "kink of a loaded mount": system(Isolator.physical, {**SHEET, "zeta": 0.08, "load": 12.12}, {"F": 5.0, "f": 2.0},
+                                     "onset", n=3),
     "folds of a loaded mount": system(Isolator.physical, {**SHEET, "zeta": 0.02, "load": 12.12}, {"F": 3.0, "f": 2.0},
                                       "folds", n=3),
     "mount with laws": system(Isolator.physical, WITH_LAWS, {"F": 5.0, "f": 2.0}, "peak", k_h=600, preload=0.002, n=2),

@@ -9,7 +9,7 @@ from slowflow import Duffing, Isolator, Oscillator
 from slowflow.answers.results import Remark
 from slowflow.example import TABLE_1
 from slowflow.oscillators.isolator import ROD_SPRING
-from slowflow_kernels.conventions import Status
+from slowflow_kernels.conventions import OnsetKind, Status
 
 
 def loaded(load):
@@ -71,6 +71,17 @@ def test_what_the_message_of_a_single_answer_says_is_a_remark():
     assert rows["load"].tolist() == [0.03, 0.1] and rows["B"].tolist() == onset.B.tolist()
     table = designs.amplitudes(Omega=0.9, F_0=0.04).columns()
     assert {"load", "Omega", "F_0", "A_0", "B_0", "phi_0"} <= table.keys()
+
+
+def test_onset_where_the_slope_of_the_force_jumps():
+    """It was a cusp, whose slopes were up to five times too small there."""
+    numbers = {"lam": 3.0, "r": 1.0, "delta_h": 0.1, "mu": 0.005, "load": -0.04}
+    many = Isolator.many(**numbers, zeta=[0.07, 0.09], force="untruncated").saddle_node_onset()
+    one = Isolator(**numbers, zeta=0.09, force="untruncated").saddle_node_onset()
+    assert many.kind.tolist() == [OnsetKind.CUSP, OnsetKind.CORNER] and one.kind == "corner" and not one.message
+    assert one.A - one.B == pytest.approx(Isolator(**numbers, zeta=0.09).breakpoints[0], rel=1e-15)
+    slopes = many.gradient()
+    assert slopes.status.tolist() == [0, 0] and slopes["F_SN"][1].tolist() == one.gradient()["F_SN"].tolist()
 
 
 def test_batch_questions_without_asymmetric_answer_are_refused():

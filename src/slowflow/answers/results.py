@@ -425,7 +425,8 @@ class SaddleNodeOnset(Point):
 
         The derivatives are exact. If more than two folds are born together there is no gradient; `.status` and
         `.message` say so. Of two onsets at one forcing, the gradient is that of the reported one. Under a load also B,
-        and with respect to the load; an onset on a breakpoint then has no gradient.
+        and with respect to the load; an onset where the force jumps, due to motions beyond the jump, then has no
+        gradient.
         """
         at = self.Omega, self.A, self.F_SN, self.kind
         return self._gradient_from("saddle_node_onset", *at)

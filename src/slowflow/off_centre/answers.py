@@ -86,8 +86,6 @@ def gradient(found: Any, question: str) -> Gradient:
     point = tuple(getattr(found, called.get(one, one)) for one in ("A", "B", "Omega", "F_0"))
     if question == "isolation" and not found.at_fold:
         return sensitivities.of_isolation(design, point, Level.of(found.level_dB).ratio)
-    if question == "detachment":  # of the piece alone to whose end it comes
-        design = design.first()
     of = {name: one for one, name in called.items()}
     kinds = point_type(question, point[2], getattr(found, "corner", getattr(found, "kind", None)))
     return sensitivities.gradient(design, kinds, point, of, QUESTIONS[question].takes)

@@ -128,9 +128,10 @@ class Curved:
         self._cuts = np.unique(np.append(ends, 0.0))
         self._of_cut = np.searchsorted(ends, np.append(self._cuts, np.inf), side="left")
 
-    def first(self) -> Curved:
-        """The piece about u = 0 alone, as if it held everywhere."""
-        return Curved([self.pieces[int((self.ends < 0).sum())]], np.empty(0), np.empty(0))
+    def within(self, low: Any, high: Any) -> Curved:
+        """The pieces alone that one motion passes, the outermost as if they held everywhere beyond."""
+        first, last = np.searchsorted(self.ends, np.ravel([low, high])).tolist()
+        return Curved(self.pieces[first : last + 1], self.ends[first:last], self.bends[first:last])
 
     # ==== Numbers =====================================================================================================
 

@@ -39,6 +39,8 @@ UNBOUNDED = "the outermost piece of the force does not grow: offset motions are 
 ORDERS = 3
 #: most steps of Newton's method; relative to A, the length of its last step, and of one that shows that it converges
 STEPS, SETTLED, BALANCED = 8, 2.0**-48, 2.0**-30
+#: how near to a step, beside A + |B|, a motion reaches it but does not pass it
+REACHED = 2.0**-40
 #: places at which a piece is looked at to bound it
 GRID = 64
 #: by how much a problem is taken to be larger than the longest length of its force
@@ -148,17 +150,21 @@ class Steps:
             if row[0] == self.load and not row[1:].any():
                 raise NotSettled(IN_DEAD_ZONE.format(self.load, (low, high)))
 
-    @property
-    def of_first(self) -> Any:
-        """Which steps the piece about u = 0 has by itself."""
-        return self._end_of < 0
+    def reached(self, A: Any, B: Any) -> int:
+        """The number of the step to which an end of one motion is nearest, 0 where there is none."""
+        return int(np.argmin(np.append(np.inf, np.abs(self.positions - self.sides * B - A)[1:])))
 
-    def first(self) -> Steps:
-        """The means of that piece alone, as if it held everywhere."""
-        other, own = copy.copy(self), self.of_first
+    def passed(self, A: Any, B: Any) -> Flags:
+        """Which steps one motion passes."""
+        (low, high), whole = short_of(A, B), np.arange(self.positions.size) == 0
+        return np.asarray(whole | (self.positions < np.where(self.sides > 0, high, -low)))
+
+    def within(self, A: Any, B: Any) -> Steps:
+        """The means of the pieces alone that one motion passes, the outermost as if they held everywhere beyond."""
+        other, own = copy.copy(self), self.passed(A, B)
         other.positions, other.sides, other.gains = self.positions[own], self.sides[own], self.gains[own]
         other._of_c, other._of_s = other._weights()
-        other.curved = None if self.curved is None else self.curved.first()
+        other.curved = None if self.curved is None else self.curved.within(*short_of(A, B))
         return other
 
     def by_step(self, ends: Floats) -> Floats:
@@ -187,7 +193,7 @@ class Steps:
         rows = np.array([float(one) for one in mechanism.steps_by(*parameters)])
         rows = rows.reshape(count, 2 * ends + 1, self.highest + 1)
         first = rows[:, self.about]
-        if self.odd and self.of_first.sum() == 1 and first[:, ::2].any():
+        if self.odd and (self._end_of < 0).sum() == 1 and first[:, ::2].any():
             raise validate.NotAvailable(NEXT_TO_REST)
         return self._gained(first, rows[:, ends + 1 :])
 
@@ -351,6 +357,12 @@ class Steps:
         whole, room = np.arange(self.positions.size)[:, np.newaxis] == 0, np.empty(ORDERS + self.highest + 1)
         L, M = SOLVER.step_means(A, a, whole, ORDERS, room)
         return L.transpose(0, 2, 1), M.transpose(0, 2, 1)
+
+
+def short_of(A: Any, B: Any) -> tuple[Any, Any]:
+    """Between which displacements motions are, less what rounding may bring beyond an end that they just reach."""
+    inner = A - REACHED * (A + np.abs(B))
+    return B - inner, B + inner
 
 
 def _lines(ends: Floats, gains: Floats) -> Floats:

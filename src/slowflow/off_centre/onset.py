@@ -23,6 +23,7 @@ import numpy as np
 from slowflow.core.mechanism import Flags
 from slowflow.core.model import Floats
 from slowflow.off_centre.flow import Flow
+from slowflow.off_centre.means import Steps
 from slowflow.off_centre.solution_sheets import SIGNS, Cells, Corner, Sheets
 from slowflow.support.errors import NotSettled
 
@@ -37,6 +38,8 @@ MOST_ROUNDS = 1100
 POSITIONS = np.linspace(-1.0, 1.0, 17)
 #: widths relative to A + |B|: the first, the last, and one within which values differ by rounding only; most steps
 WIDEST, NARROWEST, NEAR, MOST_STEPS = 0.05, 1e-6, 2.0**-36, 200
+#: of Newton's method, to where a motion next to a kink just reaches it
+KINK_STEPS = 3
 
 
 @dataclass(frozen=True)
@@ -58,9 +61,9 @@ class Search:
 
     # ==== Folds at points of the balance ==============================================================================
 
-    def folds(self, A: Floats, B: Floats) -> tuple[Floats, Floats]:
+    def folds(self, A: Floats, B: Floats, steps: Steps | None = None) -> tuple[Floats, Floats]:
         """The lowest level of a fold at each point of the balance, inf where none ends a stable motion; its Omega."""
-        means = self.steps.at(A, B, 1)
+        means = (steps or self.steps).at(A, B, 1)
         with np.errstate(all="ignore"):
             h_A = 2 * means.s[0] / A - 2 * (means.c[1] - means.s[1] ** 2 / means.c[1])
         return self.flow.least_fold(A, -2 * means.s[0], np.where(means.c[1] > 0, h_A, np.nan))
@@ -118,15 +121,31 @@ class Search:
             for name in ("cusp", "isola"):
                 if (root := self._root(x, name, width)) is None:
                     continue
+                if (kink := self._on_kink(root)) is not None:
+                    return kink
                 at = self._near_tangent(root, NEAR * POSITIONS)
                 levels, found = self.folds(*at)
-                k = int(np.argmin(levels))
-                if 0 < k < POSITIONS.size - 1 and levels[k] < levels.mean() * (1 - 2.0**-40) < np.inf:
-                    # just beyond an end at which the slope of the force jumps the level rises as a root does
-                    return Lowest(float(levels[k]), float(found[k]), float(at[0, k]), float(at[1, k]), name)
                 if levels.mean() <= level[0] * (1 + 1e-9):
                     return Lowest(float(levels.mean()), float(found.mean()), float(root[0, 0]), float(root[1, 0]), name)
         return Lowest(float(level[0]), float(Omega[0]), float(x[0, 0]), float(x[1, 0]), "")
+
+    def _on_kink(self, x: Floats) -> Lowest | None:
+        """The fold where a motion near a point of the balance just reaches a step, None where it comes to none.
+
+        F_AA changes its sign by a jump there, with the slope of the force. Means are those of the pieces before.
+        """
+        A, B = x
+        step = self.steps.reached(A, B)
+        side, place = self.steps.sides[step], self.steps.positions[step]
+        if step == 0 or np.abs(A + side * B - place) > 4 * NEAR * (A + np.abs(B)):
+            return None
+        before = self.steps.within(A, B)
+        for _ in range(KINK_STEPS):
+            means = before.at(A, side * (place - A), 1)
+            A = A - (means.c[0] - self.steps.load) / (means.s[1] - side * means.c[1])
+        B = side * (place - A)
+        level, Omega = self.folds(A, B, before)
+        return Lowest(float(level[0]), float(Omega[0]), float(A[0]), float(B[0]), "corner")
 
     def _root(self, x: Floats, name: str, width: float) -> Floats | None:
         """Where what vanishes at a cusp, or at an isola, changes its sign within a width of a point of the balance."""

@@ -205,7 +205,9 @@ class OffCentre(Unchanging, ComposedQuestions):
             return replace(self._no_detachment(UNKNOWN), remarks=Remark.UNDECIDED)
         if not A.size:
             return self._no_detachment(NOT_REACHED)
-        level, Omega = self._flow.least_forcing(A, -2 * self._steps.first().at(A, B, 0).s[0])
+        # of the piece alone to whose end each comes
+        s_0 = [self._steps.within(a, b).at(a, b, 0).s[0] for a, b in np.stack((A, B), axis=1)[..., np.newaxis]]
+        level, Omega = self._flow.least_forcing(A, -2 * np.concatenate(s_0))
         least = int(np.argmin(level))
         if math.isinf(Omega[least]):
             return self._no_detachment(TENDED_TO.format(level[least]))
@@ -364,7 +366,8 @@ class OffCentre(Unchanging, ComposedQuestions):
         if found is None:
             return self._made(SaddleNodeOnset, None, None, None, "", NO_ONSET)
         truncated = Remark.OF_TRUNCATION if self._model.mechanism.truncated else Remark(0)
-        notes = _Notes(ON_CORNER, truncated) if found.kind == "corner" else _Notes()
+        jumps = found.kind == "corner" and self._steps.gains[self._steps.reached(found.A, found.B), 0] != 0
+        notes = _Notes(ON_CORNER, truncated) if jumps else _Notes()
         columns = found.F_0, found.Omega, found.A, found.kind
         return self._made(SaddleNodeOnset, *columns, B=found.B, **notes._asdict())
 

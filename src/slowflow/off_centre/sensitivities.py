@@ -7,7 +7,6 @@ move as those about the centre do (`slowflow.answers.sensitivities`).
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
@@ -21,14 +20,12 @@ from slowflow.core.model import WITH_MEAN, Floats, Model
 from slowflow.core.validate import NotAvailable
 from slowflow.off_centre.curved import Curved
 from slowflow.off_centre.flow import Flow
-from slowflow.off_centre.means import ORDERS, Steps
+from slowflow.off_centre.means import ORDERS, Means, Steps, short_of
 from slowflow_kernels import dissipation, off_centre, slow_flow
 from slowflow_kernels.conventions import MEETING, SAME, GradientStatus, PointType
 
-#: answers on a corner that a jump of the force makes, which move in their own ways on either side of it
-ON_A_JUMP = (PointType.CORNER_FOLD, PointType.CORNER_END)
-#: distance from a breakpoint, relative to A, within which an onset lies on it: F_AA jumps there, with the force's slope
-ON_A_KINK = 2.0**-30
+#: answers that hold an end of a motion on a breakpoint
+ON_A_BREAKPOINT = (PointType.CORNER_FOLD, PointType.CORNER_TOP, PointType.CORNER_END, PointType.CORNER_REST)
 
 NO_DESIGN = "no gradient: the record of this force does not have its derivatives with respect to the design"
 
@@ -59,24 +56,10 @@ class Design:
         gains = np.einsum("psk,pd->dsk", steps.by_parameter(*of_force), of_parameters)
         return cls(model, steps, gains, steps.by_step(of_ends.T), tuple(steps.curved_by(*of_force, of_parameters)))
 
-    def first(self) -> Design:
-        """With the first piece alone, as if it held everywhere; its end depends on the design as before."""
-        own = self.steps.of_first
-        curved = tuple(None if one is None else one.first() for one in self.curved)
-        return Design(self.model, self.steps.first(), self.gains[:, own], self.positions[:, own], curved)
-
-    def end(self, A: Floats, B: Floats) -> tuple[Floats, Floats]:
-        """On which side of the mean motions come to an end of the first piece, and what the design does to it.
-
-        That end counts outwards: A + side B. Shapes (n,) and (numbers, n).
-        """
-        steps, (_, of_ends) = self.steps, _by_design(self.model)
-        none, (lower, upper) = np.zeros((1, len(self.model.design))), steps.inner
-        below, above = np.concatenate((none, of_ends, none))[steps.about : steps.about + 2, :, np.newaxis]
-        if steps.odd:
-            return np.where(B > 0, 1.0, -1.0), above + 0.0 * A
-        is_above = np.abs(upper - B - A) <= np.abs(B - A - lower)
-        return np.where(is_above, 1.0, -1.0), np.where(is_above, above, -below)
+    def within(self, A: Floats, B: Floats) -> Design:
+        """With the pieces alone that one motion passes, as if the outermost held everywhere beyond."""
+        own, curved = self.steps.passed(A, B), tuple(one and one.within(*short_of(A, B)) for one in self.curved)
+        return Design(self.model, self.steps.within(A, B), self.gains[:, own], self.positions[:, own], curved)
 
     def sensitivities(self, A: Floats, B: Floats, numbers: int) -> Floats:
         """Sensitivities of c_n and s_n to so many parameters, those of the design first: (2, ORDERS, numbers, n)."""
@@ -88,7 +71,7 @@ class Design:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """What answers move with, beside what is asked."""
+        """What answers move with, beside what is query."""
         return (*self.model.mechanism.design_names, *self.damping, "load")
 
     @property
@@ -119,38 +102,30 @@ def gradient(
 ) -> Gradient:
     """The gradient of answers at A, B, Omega and a forcing.
 
-    kinds -- their `PointType`; of points on a breakpoint only CORNER_TOP and CORNER_REST have a gradient, where the
-             motion reaches the end of the first piece
+    kinds -- their `PointType`; CORNER_END for any onset on a breakpoint
     of    -- numbers by name: "A", "B", "Omega", "F_0", "u_max", and of states "phi" and "transmissibility"
     arguments -- of the query: "F_0" and "Omega", or less
     """
     shape = np.shape(point[0])
     A, B, Omega, F_0 = (np.atleast_1d(np.broadcast_to(np.asarray(one, dtype=float), shape)).ravel() for one in point)
     kinds = np.broadcast_to(np.asarray(kinds), A.shape)
-    ends = design.steps.breakpoints
-    ends = np.append(ends, -ends) if design.steps.odd else ends
-    apart = np.abs(np.stack((B + A, B - A))[..., np.newaxis] - ends).min(axis=(0, 2), initial=math.inf)
-    on_a_kink = apart <= ON_A_KINK * A
-    kinds = np.where(on_a_kink & np.isin(kinds, (PointType.CUSP, PointType.ISOLA)), PointType.CORNER_END, kinds)
     names = (*design.names, *arguments)
     slopes, status = np.full((A.size, len(of), len(names)), np.nan), np.full(A.size, GradientStatus.OK, np.int8)
     values = np.full((len(of), A.size), np.nan)
     with np.errstate(all="ignore"):
         for kind in np.unique(kinds):
-            here = kinds == kind
-            if kind in ON_A_JUMP:
-                status[here] = GradientStatus.TURNS
-                continue
-            found, at, status[here] = _of_kind(
-                design, PointType(int(kind)), names, *(x[here] for x in (A, B, Omega, F_0))
-            )
-            for row, name in enumerate(of.values()):
-                slopes[here, row], values[row, here] = found[name].T, at[name]
+            here = np.flatnonzero(kinds == kind)
+            # on a breakpoint means are those of the pieces that each motion passes
+            for some in here[:, np.newaxis] if kind in ON_A_BREAKPOINT else [here]:
+                at = (x[some] for x in (A, B, Omega, F_0))
+                found, known, status[some] = _of_kind(design, PointType(int(kind)), names, *at)
+                for row, name in enumerate(of.values()):
+                    slopes[some, row], values[row, some] = found[name].T, known[name]
     status[~np.isfinite(slopes).all(axis=(1, 2)) & (status == GradientStatus.OK)] = GradientStatus.BOUNDLESS
     status[~(np.isfinite(A) & np.isfinite(F_0))] = GradientStatus.NOTHING
     slopes[status != GradientStatus.OK] = np.nan
-    model, known = design.model, {"F_0": point[3], "Omega": point[2]}
-    numbers = (*model.design, *design.damping.values(), design.steps.load, *(known[name] for name in arguments))
+    query = {"F_0": point[3], "Omega": point[2]}
+    numbers = (*design.model.design, *design.damping.values(), design.steps.load, *(query[name] for name in arguments))
     whole = slopes.reshape(*shape, len(of), len(names)), status.reshape(shape)
     return Gradient(tuple(of), names, *whole, tuple(row.reshape(shape) for row in values), numbers)
 
@@ -189,15 +164,21 @@ def _of_kind(
 ) -> tuple[Mapping[str, Floats], Mapping[str, Floats], Any]:
     """The sensitivities of the answers to each parameter, (names, n) each; the answers; their status."""
     model, steps, flow = design.model, design.steps, Flow.of(design.model)
-    means, (h, h_A, h_AA, h_AAA) = steps.averaged(A, B)
+    ends, full = np.zeros((len(names), A.size)), design
+    if kind in ON_A_BREAKPOINT:
+        reached, design = steps.reached(A, B), design.within(A, B)
+        side, ends[: len(model.design)] = steps.sides[reached], full.positions[:, reached, np.newaxis]
+    means, (h, h_A, h_AA, h_AAA) = design.steps.averaged(A, B)
+    turns = False
+    if kind == PointType.CORNER_END:
+        kind, turns = _onset_type(flow, A, Omega, means, side if steps.gains[reached, 0] else None)
     of_load, of_F_0, of_Omega = (
         (np.array(names) == name)[:, np.newaxis] * np.ones(A.size) for name in ("load", "F_0", "Omega")
     )
-    (c_p, s_p), ends = design.sensitivities(A, B, len(names)), np.zeros((len(names), A.size))
+    c_p, s_p = design.sensitivities(A, B, len(names))
     # mypy takes a starred argument for all that are left
     B_p, *of_h = off_centre.moved(A, *means.c[1:], *means.s[1:], *c_p, *s_p, of_load)  # type: ignore[call-arg]
-    if kind in (PointType.CORNER_TOP, PointType.CORNER_REST):
-        side, ends[: len(model.design)] = design.end(A, B)
+    if kind in ON_A_BREAKPOINT:
         (ends,) = off_centre.moved_at_end(side, means.c[1], means.s[1], c_p[0], of_load, ends)
     place, causes = len(model.design), np.zeros((8, len(names), A.size))
     of_m, of_eta = np.reshape([np.broadcast_to(one, A.shape) for one in dissipation.rest_moves(A)], (2, 3, A.size))
@@ -219,4 +200,21 @@ def _of_kind(
         "phi": flow.phase(Omega, A, h),
         "transmissibility": flow.transmissibility(Omega, A, F_0, h),
     }
+    if turns:
+        return found, values, GradientStatus.TURNS
     return found, values, np.where(isolated[0] == 1, GradientStatus.OK, GradientStatus.MEETS)
+
+
+def _onset_type(flow: Flow, A: Floats, Omega: Floats, means: Means, jump: float | None) -> tuple[PointType, bool]:
+    """What an onset on a breakpoint is besides, by its frequency, and whether it belongs to motions beyond.
+
+    jump -- the side of a jump of the force, where h_A has another limit beyond: there c_1 grows without bound and with
+            it side s_1
+    """
+    h, curvature = -2 * means.s[0], 2 * means.s[0] / A
+    slopes = [curvature - 2 * (means.c[1] - means.s[1] ** 2 / means.c[1])]
+    if jump is not None:
+        slopes.append(curvature - 4 * (means.c[1] - jump * means.s[1]))
+    candidates = [flow.stationary(A, h), *(flow.fold_frequencies(A, h, slope) for slope in slopes)]
+    nearest = int(np.argmin([np.nanmin(np.abs(one - Omega), initial=np.inf) for one in candidates]))
+    return (PointType.CORNER_END if nearest else PointType.CORNER_TOP), nearest == 2
