@@ -65,19 +65,19 @@ class Answer:
         return [*super().__dir__(), *self._content()]
 
     @classmethod
-    def _made(cls, *, message: str | Callable[[], str], **found: Any) -> Self:
+    def _made(cls, *, message: str | Callable[[], str] = "", **found: Any) -> Self:
         """An answer from its fields by name, in a fifth of the time; a function makes the message when it is read.
 
-        A field whose default is a value need not be among them.
+        A field whose default is a value need not be among them, nor one that `_later` makes of the answer.
         """
         one = cls.__new__(cls)
         for value in found.values():
             if type(value) is np.ndarray:
                 value.setflags(write=False)
-        if isinstance(message, str):
-            found["message"] = message
-        else:
+        if not isinstance(message, str):
             found["_later"] = lambda _: {"message": message()}
+        elif "_later" not in found:
+            found["message"] = message
         one.__dict__.update(found)
         return one
 

@@ -63,6 +63,12 @@ class Remark(IntFlag):
     MIRRORED = 2048
     #: resonant states close to the top of a well: every exact motion there dissipates more energy than is supplied
     UNSUSTAINED = 4096
+    #: a random motion switches between several equivalent linear oscillators, or between wells
+    SEVERAL_MOTIONS = 8192
+    #: much of the damping is friction or nonlinear, or the force is curved: random motions are far from linear ones
+    FAR_FROM_LINEAR = 16384
+    #: the density of a random excitation varies much near the natural frequency of the motion
+    UNEVEN_EXCITATION = 32768
 
 
 NOTHING = Remark(0)

@@ -592,9 +592,7 @@ class ManyQuestions(Generic[Found, Arrays]):
         Returns
         -------
         Batch
-            As `random` of a single design, without its diagnostics: only a single answer has a `.message` about several
-            motions, much dry friction or nonlinear damping, narrow bands and motions about a mean. `Status.UNRESOLVED`
-            also if there is no stationary motion.
+            As `random` of a single design. `Status.UNRESOLVED` also if there is no stationary motion.
         """
 
 

@@ -10,6 +10,7 @@ import numpy as np
 
 from slowflow.answers.answer import Drawn, Single, Table
 from slowflow.answers.gradient import Gradient
+from slowflow.answers.results import Remark
 from slowflow.core import validate
 from slowflow.core.mechanism import EquationOfMotion, Floats, Reals
 from slowflow.random_vibration.excitation import Excitation, Tabulated, White
@@ -39,6 +40,7 @@ class RandomResponse(Drawn, Table, entry="Stationary"):
     crossing_rate -- rate at which u crosses the breakpoints outwards, per unit of tau (Rice)
     dry           -- fraction of the damping due to dry friction, on which the accuracy depends
     message       -- diagnostics as text
+    remarks       -- diagnostics as flags of `slowflow.Remark`
 
     It is proved that there are no other solutions: without a load about the centre, with a load or for an asymmetric
     force about any mean. About a mean the proof has two assumptions: a force that is not a polynomial is close to its
@@ -60,6 +62,7 @@ class RandomResponse(Drawn, Table, entry="Stationary"):
     crossing_rate: Floats
     dry: Floats
     message: str
+    remarks: Remark
     excitation: Excitation = field(repr=False)
     system: EquationOfMotion = field(repr=False)
     _equation: Any = field(default=None, repr=False)

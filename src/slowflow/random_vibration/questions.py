@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
-import functools
-from typing import Any
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from typing import Any, TypeAlias
 
 import numpy as np
 
 from slowflow.answers.answer import joined
+from slowflow.answers.results import NOTHING, Remark
 from slowflow.core import validate
 from slowflow.core.backend import EXACT
 from slowflow.core.mechanism import EquationOfMotion, Floats
 from slowflow.exact.motion import handle
 from slowflow.random_vibration.answers import RandomResponse, crossings
-from slowflow.random_vibration.excitation import Excitation, Tabulated, White
+from slowflow.random_vibration.excitation import MOST_UNEVEN, Excitation, Tabulated, White
+from slowflow.random_vibration.gradient import LAWS
 from slowflow.support.errors import NotSettled, Refused
 from slowflow.support.text import Sentence, text
 from slowflow_kernels import linearization
@@ -30,9 +32,10 @@ THROUGHOUT = 40.0
 #: of a stationary motion: `sf_stationary` of `native/exact/gaussian.h`
 NUMBERS = 8
 #: up to these shares in the damping sigma_u and sigma_v were within 5 % of records of the motion: of friction
-#: throughout about the centre and about a mean, of friction that ends, of c_2, c_3 and zeta_2; and from so many times
-#: the lowest frequency of the excitation to its highest one (docs/validity.md)
-MOST_DRY, MOST_DRY_ABOUT, MOST_ATTACHED, MOST_NONLINEAR, NARROW = 0.8, 0.6, 0.5, 0.5, 4.0
+#: throughout about the centre and about a mean, of friction that ends, of c_2, c_3 and zeta_2 (docs/validity.md)
+MOST_DRY, MOST_DRY_ABOUT, MOST_ATTACHED, MOST_NONLINEAR = 0.8, 0.6, 0.5, 0.5
+#: of an equation of motion beside its spring
+NUMBERS_OF_MOTION = *LAWS, "released", "load"
 STUCK = "friction holds the mass nearly all of the time: no linear damping is equivalent to it"
 NOT_PUSHED_BACK = (
     "random vibration about a mean needs a spring force that exceeds the load far from the centre, on both sides"
@@ -53,9 +56,10 @@ NONLINEAR = Sentence(
     "nonlinear damping is {nonlinear:.2g} of the equivalent damping: above {most:g} root mean squares may be off by "
     "8 %; {exact:s}"
 )
-IN_A_BAND = (
-    "the excitation is narrow-band, and the natural frequency of the motion moves in and out of the band: root mean "
-    "squares may be off by 9 %, with stops by 25 %; measure() simulates the motion"
+UNEVEN = Sentence(
+    "the density of the excitation varies by a factor above {factor:g} near the natural frequency of the motion, which "
+    "moves: root mean squares may be off by 9 % in a narrow band, with stops by 25 %, at the end of a band or at a "
+    "narrow peak by more; measure() simulates the motion"
 )
 #: about a mean: up to this fraction of the mean square of the force that is not linear they were within 4 % of the
 #: exact density (docs/limits.md); by how many root mean squares equilibria are looked for
@@ -71,40 +75,64 @@ WELLS = Sentence(
 #: where averages are without these errors, of white noise and of others
 EXACT_DENSITY, IN_TIME = "fokker_planck has the exact density", "measure() simulates the motion"
 
+Diagnostics: TypeAlias = Iterator[tuple[Remark, Any, Sentence, tuple[Any, ...]]]
+
 
 def random(oscillator: Any, system: EquationOfMotion, S_0: Any, psd: Any) -> RandomResponse:
     """See `slowflow.oscillators.oscillator.Oscillator.random`."""
     excitation = excited_by(S_0, psd)
-    columns = stationary(system, excitation)
-    message = functools.partial(_diagnostics, system, excitation, columns)
-    return RandomResponse._made(**columns, message=message, excitation=excitation, system=system, _equation=oscillator)
+    fields: dict[str, Any] = {**stationary(system, excitation), "excitation": excitation, "system": system}
+    return RandomResponse._made(**fields, _equation=oscillator, _later=_remarked)
 
 
-def _diagnostics(system: EquationOfMotion, excitation: Excitation, columns: dict[str, Floats]) -> str:
-    """How far statistical linearization is to be trusted, as text."""
-    u, dry, exact = columns["u_rms"], columns["dry"], EXACT_DENSITY if isinstance(excitation, White) else IN_TIME
-    most = MOST_ATTACHED if system.released else MOST_DRY if system.centred else MOST_DRY_ABOUT
-    nonlinear = 1 - dry - 2 * system.zeta / columns["damping"]
-    return joined(
-        SEVERAL.format(u.size, exact) if u.size > 1 else "",
-        DRY.format(float(dry.max()), most, exact) if (dry > most).any() else "",
-        NONLINEAR.format(float(nonlinear.max()), MOST_NONLINEAR, exact) if (nonlinear > MOST_NONLINEAR).any() else "",
-        "" if system.centred else _about_means(system, columns, exact),
-        IN_A_BAND if isinstance(excitation, Tabulated) and excitation.Omega[-1] < NARROW * excitation.Omega[0] else "",
-    )
+def _remarked(found: RandomResponse) -> dict[str, Any]:
+    """Message and remarks of one oscillator."""
+    message, remarks = [], NOTHING
+    for remark, holds, sentence, numbers in diagnostics_of_one(found.system, found.excitation, vars(found)):
+        if holds:
+            message.append(sentence.format(*(np.asarray(one).item() for one in numbers)))
+            remarks |= remark
+    return {"message": joined(*message), "remarks": remarks}
 
 
-def _about_means(system: EquationOfMotion, columns: dict[str, Floats], exact: str) -> str:
-    """What to bear in mind of motions about a mean: equilibria within reach, a force that is far from linear."""
-    B, u, v, a, k = (columns[name] for name in ("B", "u_rms", "v_rms", "a_rms", "stiffness"))
-    above = system.force(B[:, np.newaxis] + u[:, np.newaxis] * NEAR_MEAN) > system.load
-    laws = system.mu, system.zeta, system.c_2, system.c_3, system.zeta_2
-    of_force = a**2 - linearization.damping_force(THROUGHOUT, 1.0, u, v, *laws)
-    curved = float((1 - (k * u) ** 2 / of_force).max())
-    return joined(
-        WELLS.format(exact) if (np.diff(above, axis=1).sum(axis=1) > 1).any() else "",
-        CURVED.format(curved, MOST_CURVED, exact) if curved > MOST_CURVED else "",
-    )
+def diagnostics_of_one(system: EquationOfMotion, excitation: Excitation, columns: Mapping[str, Any]) -> Diagnostics:
+    """See `diagnostics`."""
+    numbers = [getattr(system, name) for name in NUMBERS_OF_MOTION]
+    return diagnostics(system.force, numbers, system.force.odd, excitation, columns, columns["u_rms"].size)
+
+
+def diagnostics(
+    force: Callable[[Floats], Floats],
+    numbers: Sequence[Any],
+    odd: bool,
+    excitation: Excitation,
+    columns: Mapping[str, Any],
+    count: Any,
+) -> Diagnostics:
+    """How far statistical linearization is to be trusted: remarks, whose they are, and sentences with their numbers.
+
+    numbers -- `NUMBERS_OF_MOTION` of one oscillator, or arrays of many
+    columns -- of `RandomResponse`, with one more, last axis, of motions; NaN where there is none
+    count   -- of motions
+    """
+    mu, zeta, c_2, c_3, zeta_2, released, load = (np.asarray(one)[..., np.newaxis] for one in numbers)
+    B, u, v, a, k, c, Omega, *_, dry = (columns[name] for name in RandomResponse.entry._fields)
+    exact = EXACT_DENSITY if isinstance(excitation, White) else IN_TIME
+    offset = (load != 0) | (not odd)
+    most = np.where(released, MOST_ATTACHED, np.where(offset, MOST_DRY_ABOUT, MOST_DRY))[..., 0]
+    driest, nonlinear = (np.fmax.reduce(one, axis=-1) for one in (dry, 1 - dry - 2 * zeta / c))
+    yield Remark.SEVERAL_MOTIONS, count > 1, SEVERAL, (count, exact)
+    yield Remark.FAR_FROM_LINEAR, driest > most, DRY, (driest, most, exact)
+    yield Remark.FAR_FROM_LINEAR, nonlinear > MOST_NONLINEAR, NONLINEAR, (nonlinear, MOST_NONLINEAR, exact)
+    if offset.any():
+        above = force(B[..., np.newaxis] + u[..., np.newaxis] * NEAR_MEAN) > load[..., np.newaxis]
+        wells = offset & (np.diff(above, axis=-1).sum(axis=-1) > 1)
+        of_force = a**2 - linearization.damping_force(THROUGHOUT, 1.0, u, v, mu, zeta, c_2, c_3, zeta_2)
+        curved = np.fmax.reduce(np.where(offset, 1 - (k * u) ** 2 / of_force, 0.0), axis=-1)
+        yield Remark.SEVERAL_MOTIONS, wells.any(axis=-1), WELLS, (exact,)
+        yield Remark.FAR_FROM_LINEAR, curved > MOST_CURVED, CURVED, (curved, MOST_CURVED, exact)
+    uneven = (Omega > 0) & excitation.is_uneven(Omega)
+    yield Remark.UNEVEN_EXCITATION, uneven.any(axis=-1), UNEVEN, (MOST_UNEVEN,)
 
 
 def excited_by(S_0: Any, psd: Any) -> Excitation:
