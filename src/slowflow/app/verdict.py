@@ -6,6 +6,7 @@ import math
 import warnings
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -17,6 +18,7 @@ from slowflow.answers.table import COLUMNS
 from slowflow.core.mechanism import Flags, Floats
 from slowflow.oscillators.physical import Physical
 from slowflow.support import progress
+from slowflow.support.boundary import refusal
 from slowflow.support.errors import SceneError, SlowflowError
 
 if TYPE_CHECKING:
@@ -142,6 +144,13 @@ def _cases(scene: Any, one: Requirement) -> Iterator[tuple[str, Any]]:
         under = "random" if query.question == "random" else "shock"
         if under in one.options["under"]:
             yield str(query), lambda query=query, under=under: _under(scene, one, query, under, mount)
+
+
+def refusals(scene: Any) -> Iterator[tuple[str, str]]:
+    """What is refused of a scene's questions and requirements, each with the reason; without their computation."""
+    questions = [(str(query), partial(scene.ask, query.question, **query.arguments)) for query in scene.queries]
+    questions += [(f"{one.name}, {case}", ask) for one in scene.requirements for case, ask in _cases(scene, one)]
+    return ((what, why) for what, ask in questions if (why := refusal(ask)))
 
 
 def _forcings(scene: Any) -> Iterator[tuple[str, dict[str, float]]]:

@@ -139,6 +139,9 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
             return self._centred(by_balls)
         return self._centred(proofs.decided_states(found, self.model, at, F_0, allowance))
 
+    def at_centre(self, question: str) -> None:
+        """Raise Refused for a question that has no answer under a load; here there is none."""
+
     def _check_proof(self) -> None:
         """Raises ValueError where no proof of the averaged equations is derived."""
         validate.has_proof(self.model.excitation, self.model.laws.description())
@@ -173,6 +176,7 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
         ValueError
             For an invalid number, for base excitation and unbalance, and for damping laws other than mu and zeta.
         """
+        self.at_centre("certify")
         self._check_proof()
         found = self.saddle_nodes(F_0)
         states = None
@@ -303,7 +307,7 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
             For an invalid number, or a missing A_max.
         """
         samples = validate.count("samples", samples, least=2, most=validate.MOST_SAMPLES)
-        return solvers.fold_locus(self.model, self._up_to(A_max), samples)
+        return solvers.fold_locus(self.model, self._up_to(A_max, "fold_locus"), samples)
 
     def cusps(self, *, A_max: float | None = None) -> Cusps:
         """Find where two folds merge as the forcing changes, F = F_A = F_AA = 0.
@@ -322,7 +326,7 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
         Cusps
             .F_0 .Omega .A .minimum, shape (n,).
         """
-        limit = self._up_to(A_max)
+        limit = self._up_to(A_max, "cusps")
         found = proofs.decided_cusps(solvers.extrema(self.model, limit)[0], self.model, limit)
         return dataclasses.replace(found, _model=self.model)
 
@@ -339,7 +343,8 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
         IsolaPoints
             .F_0 .Omega .A .kind, shape (n,).
         """
-        return dataclasses.replace(solvers.extrema(self.model, self._up_to(A_max))[1], _model=self.model)
+        limit = self._up_to(A_max, "isola_points")
+        return dataclasses.replace(solvers.extrema(self.model, limit)[1], _model=self.model)
 
     @np.errstate(all="ignore")
     def backbone(self, A: Reals) -> Floats:
@@ -538,8 +543,9 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
                 raise
             return by_balls
 
-    def _up_to(self, A_max: float | None) -> float:
-        """The amplitude up to which the fold locus is computed."""
+    def _up_to(self, A_max: float | None, question: str) -> float:
+        """The amplitude up to which a question about all forcings is answered."""
+        self.at_centre(question)
         if A_max is None and math.isfinite(self.model.reach):
             return self.model.reach
         return validate.number("A_max", A_max, above=0.0)

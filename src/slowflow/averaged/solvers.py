@@ -23,6 +23,7 @@ from slowflow.answers.results import (
 from slowflow.averaged import messages
 from slowflow.core import backend
 from slowflow.core.model import Floats, Model
+from slowflow.support import boundary
 from slowflow.support.errors import NotSettled, OutOfRange
 from slowflow_kernels import dissipation
 from slowflow_kernels.conventions import STATIC_MULTIPLE, OnsetKind, Status
@@ -104,6 +105,7 @@ def is_cut(model: Model, F_0: float) -> bool:
 
 def folds(model: Model, F_0: float) -> SaddleNodes:
     """Every fold at F_0 > m, in every regime, by rising Omega."""
+    boundary.begin()
     status, Omega, A, up, corner, undecided = backend.SOLVER.saddle_nodes(model.native, F_0)
     check(status, model, F_0)
     message, cut = messages.of_folds(model, F_0, A.size > 0 or undecided, remark_of(model, F_0))
@@ -114,6 +116,7 @@ def folds(model: Model, F_0: float) -> SaddleNodes:
 
 def onset(model: Model) -> SaddleNodeOnset:
     """The lowest forcing that has a fold, in whatever regime it lies."""
+    boundary.begin()
     status, F_SN, Omega, A, kind, _, at_rest = backend.SOLVER.onset(model.native)
     if status == Status.OK:
         onset = {"F_SN": F_SN, "Omega": Omega, "A": A, "kind": ONSET_KINDS[kind], "untruncated": None}
@@ -131,6 +134,7 @@ def onset(model: Model) -> SaddleNodeOnset:
 
 def detachment(model: Model) -> Detachment:
     """The lowest forcing for which the first breakpoint is a steady state (34)."""
+    boundary.begin()
     status, F_cr, Omega_cr, u_cr = backend.SOLVER.detachment(model.native)
     if status == Status.NO_BOUND:
         raise OutOfRange(messages.BEYOND_RANGE.format(model.breakpoints[0]))
@@ -143,6 +147,7 @@ def detachment(model: Model) -> Detachment:
 
 def peak(model: Model, F_0: float, most: float = math.inf) -> Peak:
     """The highest peak at F_0 > m with an amplitude up to `most`."""
+    boundary.begin()
     status, A, Omega = backend.SOLVER.peak(model.native, F_0, most)
     if status == Status.STICKS:
         message = partial(messages.sticks, model, F_0)
@@ -160,6 +165,7 @@ def peak(model: Model, F_0: float, most: float = math.inf) -> Peak:
 
 def fold_locus(model: Model, A_max: float, samples: int) -> FoldLocus:
     """About `samples` points of the fold locus up to A_max."""
+    boundary.begin()
     status, Omega, A, F_0, branch = backend.SOLVER.fold_locus(model.native, A_max, samples)
     check(status, model)
     # next to a breakpoint a force that hardly jumps has folds too
@@ -170,6 +176,7 @@ def fold_locus(model: Model, A_max: float, samples: int) -> FoldLocus:
 
 def extrema(model: Model, A_max: float) -> tuple[Cusps, IsolaPoints]:
     """The cusps and the isola points up to A_max."""
+    boundary.begin()
     status, *columns = backend.SOLVER.extrema(model.native, A_max)
     check(status, model)
     isola = columns[3]
@@ -182,6 +189,7 @@ def extrema(model: Model, A_max: float) -> tuple[Cusps, IsolaPoints]:
 
 def frequency_response(model: Model, F_0: float, samples: int, window: tuple[float, float]) -> FrequencyResponse:
     """About `samples` points along every branch in the window, and its ends, folds, peaks and corners."""
+    boundary.begin()
     answer = backend.SOLVER.frequency_response(model.native, F_0, samples, *window)
     status, Omega, A, stable, branch, isola, undecided = answer
     check(status, model, F_0)
@@ -195,6 +203,7 @@ def frequency_response(model: Model, F_0: float, samples: int, window: tuple[flo
 
 def states(model: Model, Omega: Floats, F_0: float) -> SteadyStates:
     """Every steady state at each frequency, by the order of Omega, then by rising A."""
+    boundary.begin()
     status, at, A, stable, undecided = backend.SOLVER.steady_states(model.native, F_0, Omega)
     check(status, model, F_0)
     remark = remark_of(model, F_0, float(np.min(Omega, initial=np.inf)))

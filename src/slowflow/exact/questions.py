@@ -17,11 +17,12 @@ from slowflow.core import validate
 from slowflow.core.mechanism import EquationOfMotion
 from slowflow.core.model import Loaded
 from slowflow.exact import response, shooting
-from slowflow.exact.motion import check_forcing, must_stick, stays_at_rest, sticking_message
+from slowflow.exact.motion import NO_DAMPING, check_forcing, must_stick, stays_at_rest, sticking_message
 from slowflow.exact.sweep import Sweep
 from slowflow.exact.sweep import sweep as exact_sweep
 from slowflow.exact.transient import AFTER, NO_PULSE, Arc, ShockSpectrum, Transient, half_sine, record, shock_spectrum
 from slowflow.exact.transient import transient as exact_transient
+from slowflow.support import boundary
 from slowflow.support.errors import NotSettled, Refused
 from slowflow.support.text import Sentence, text
 from slowflow_kernels import inertia
@@ -75,6 +76,12 @@ class Motions:
     averaged: Any
     system: EquationOfMotion
 
+    def _begin(self) -> None:
+        """Begin to compute a forced motion. Raises ValueError where nothing damps it or holds the mass."""
+        if not (self.system.is_damped or self.system.force.jump):
+            raise Refused(NO_DAMPING)
+        boundary.begin()
+
     def steady_state(
         self, Omega: float, F_0: float, A: float | None, u_0: float | None, v_0: float
     ) -> shooting.SteadyState:
@@ -124,6 +131,7 @@ class Motions:
         low, high = validate.window("Omega", Omega)
         low = validate.number("Omega[0]", low, above=0.0)
         step = validate.number("step", step, above=0.0, most=0.5)
+        self._begin()
         begins = ""
         if system.inertial and system.forcing(Omega=low, F_0=F_0) < EXCEEDS * system.holds(0):
             Omega_min = float(inertia.moves_from(F_0, system.holds(0)))
@@ -169,6 +177,7 @@ class Motions:
         """The motion through frequencies, from rest or from (u_0, v_0)."""
         F_0 = validate.number("F_0", F_0, above=0.0)
         frequencies = validate.positive_array("Omega", Omega)
+        self._begin()
         u, v, message = self._initial_state(u_0, v_0)
         found = exact_sweep(self.system, Omega=frequencies, F_0=F_0, u_0=u, v_0=v)
         return dataclasses.replace(found, message=message)
@@ -198,6 +207,7 @@ class Motions:
                 raise Refused(text(ROWS, f"{times.shape} and {samples.shape}"))
             arcs, begin = record(times, samples), float(times[0])
         last = AFTER if after is None else validate.number("after", after, least=0.0)
+        boundary.begin()
         at, v, message = self._initial_state(u_0, v_0)
         rest = at if u_0 is None else equilibrium(self.averaged, self.system)[0]
         found = exact_transient(self.system, arcs, begin=begin, after=last, at=at, v=v, rest=rest)
@@ -211,6 +221,7 @@ class Motions:
         }
         shape = validate.common_shape(pulses)
         validate.number("duration", float(pulses["duration"].min(initial=1.0)), above=SHORTEST)
+        boundary.begin()
         at, message = equilibrium(self.averaged, self.system)
         peaks, spans = (np.broadcast_to(values, shape).ravel() for values in pulses.values())
         found = shock_spectrum(self.system, peaks, spans, at)

@@ -39,6 +39,7 @@ from slowflow.off_centre.curve import Curves, curves
 from slowflow.off_centre.flow import Flow, Slow
 from slowflow.off_centre.means import Steps
 from slowflow.off_centre.reach import AMPLITUDE, LARGEST, Farthest, Measure, Reach
+from slowflow.support import boundary
 from slowflow.support.errors import NotSettled, OutOfRange, Refused
 from slowflow.support.immutable import Unchanging
 from slowflow.support.text import Sentence, together
@@ -541,7 +542,10 @@ class OffCentre(Unchanging, ComposedQuestions):
         return self._made(FrequencyResponse, found.Omega, found.A, stable, F_0, B=found.B, **extra)
 
     def _check_answered(self, question: str) -> None:
-        """Raises where a question has no answer: what is too small, without damping, or leaves the centre by itself."""
+        """Raises where a question has no answer: what is too small, without damping, or leaves the centre by itself.
+
+        Its computation begins after that.
+        """
         if self._steps.length < SHORTEST and not self._keeps_centre:
             raise OutOfRange(TOO_SMALL.format((self._steps.length, 1.0)))
         if not self._flow.damps:
@@ -550,6 +554,7 @@ class OffCentre(Unchanging, ComposedQuestions):
             extra = [f"excitation = {self._model.excitation!r}"] * self._model.inertial
             causes = together(", ", (*extra, *([self._model.laws.description()] if self._model.laws.any else [])))
             raise validate.NotAvailable(BY_ITSELF.format(question, causes))
+        boundary.begin()
 
 
 def _of_folds(folds: SaddleNodes) -> _Notes:

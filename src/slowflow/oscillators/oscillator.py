@@ -28,7 +28,6 @@ from slowflow_kernels.domains import EXCITATIONS
 
 if TYPE_CHECKING:
     from slowflow import exact
-    from slowflow.answers.certificate import Certificate
     from slowflow.averaged import checks
     from slowflow.averaged.plan import Plan
     from slowflow.core.mechanism import Reals, Unlabelled
@@ -205,7 +204,6 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         return self._off_centre
 
     def at_centre(self, question: str) -> None:
-        """Raise Refused for a question that has no answer under a load."""
         if self._off_centre_by:
             raise validate.NotAvailable(CENTRED.format(question, self._off_centre_by))
 
@@ -218,17 +216,13 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         """Find every equilibrium under the load, without friction: .u .stiffness .stable; see `OffCentre.rest`."""
         return self._off_centre.rest()
 
-    def certify(self, F_0: float, *, Omega: float | None = None) -> Certificate:
-        self.at_centre("certify")
-        return super().certify(F_0, Omega=Omega)
-
     def explain(self, question: str, F_0: float | None = None) -> Plan:
         if question in IN_TIME:
             validate.is_in_time(question, self.model.laws.present)
         if not self._off_centre_by:
             return super().explain(question, F_0)
         if question not in OFF_CENTRE:
-            self.at_centre(f"explain({question!r})")
+            self.at_centre(question)
         return plan_off_centre(question, F_0, self.off_centre.model.unloaded)
 
     def replace(self, **changes: Any) -> Self:

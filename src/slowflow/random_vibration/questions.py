@@ -16,6 +16,7 @@ from slowflow.exact.motion import handle
 from slowflow.random_vibration.answers import RandomResponse, crossings
 from slowflow.random_vibration.excitation import MOST_UNEVEN, Excitation, Tabulated, White
 from slowflow.random_vibration.gradient import LAWS
+from slowflow.support import boundary
 from slowflow.support.errors import NotSettled, Refused
 from slowflow.support.text import Sentence, text
 from slowflow_kernels import linearization
@@ -148,6 +149,7 @@ def stationary(system: EquationOfMotion, excitation: Excitation) -> dict[str, Fl
     """The columns of `RandomResponse`, by rising u_rms. Raises as `Oscillator.random`."""
     if not is_damped(system.mu, system.zeta, system.c_2, system.released, isinstance(excitation, White)):
         raise validate.NotAvailable(UNDAMPED)
+    boundary.begin()
     *left, found = EXACT.stationary(handle(system), excitation.for_C)
     if left[0] < 0:
         raise NotSettled(STUCK if left[0] > -2 else NOT_PUSHED_BACK)

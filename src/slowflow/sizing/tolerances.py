@@ -19,7 +19,7 @@ from slowflow.answers.quantities import in_shown, si
 from slowflow.core import validate
 from slowflow.core.mechanism import Floats
 from slowflow.sizing.subject import Load, LoadCase, Subject
-from slowflow.support import progress
+from slowflow.support import boundary, progress
 from slowflow.support.errors import Refused
 
 __all__ = ["Sobol", "Tolerances", "sobol", "tolerances"]
@@ -167,6 +167,7 @@ def tolerances(
     samples = validate.count("samples", samples, least=2, most=MOST_SAMPLES)
     seed = validate.count("seed", seed, least=0)
     drawn = _drawn(subject, within, scipy.stats.qmc.LatinHypercube(d=len(within), rng=seed).random(samples))
+    boundary.begin()
     found, nominal = _answers(subject, drawn, names, load, "tolerances"), subject.ask({}, names, load)
     rows = []
     for name in names:
