@@ -23,7 +23,6 @@ from typing import Any
 from benchmarks import environment
 from benchmarks.document import DOCS, RESULTS
 from benchmarks.stress import answers, baseline, counts, kernels, proofs, roots, scale
-from tests.oracles.kernels import scene_of
 
 #: what can be measured separately
 OF_COUNTS = ("counts", "counts against proofs")
@@ -72,9 +71,7 @@ def jobs(size: float) -> dict[str, list[Job]]:
         "proofs": [(proofs.stress, (part, many(125))) for part in range(SHARES)],
         "roots": [(roots.stress, (kind, family, many(4000, 50), many(1500))) for kind, family in roots.jobs()],
         "kernels": [(kernels.stress, (module, kernel, size)) for module, kernel in kernels.named()],
-        "extremes": [
-            (extremes, (module, kernel, many(4, 4))) for module, kernel in kernels.named() if scene_of(module)[1] == ""
-        ],
+        "extremes": [(extremes, (module, kernel, many(4, 4))) for module, kernel in kernels.named()],
     }
 
 

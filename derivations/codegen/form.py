@@ -16,7 +16,6 @@ import sympy as sp
 
 from ..kernels import Branch as Branch
 from ..kernels import Called, Kernel, Let
-from ..paper.slow_flow import SCENES
 from ..symbols import h, h_A, h_AA, h_AAA
 from .prose import Prose
 
@@ -249,7 +248,6 @@ class Module:
 
     inputs     -- file names below `derivations/` that it is derived from
     flow       -- name of the slow-flow module that compositions call
-    borrowed   -- names that a scene's module has from others, because nothing changes in them, by module
     constants  -- Python constants (name, value)
     twofolds   -- kernels in double-double
     record     -- of a mechanism's own module
@@ -271,7 +269,6 @@ class Module:
     selections: tuple[Selection, ...] = ()
     compositions: tuple[Composition, ...] = ()
     flow: str = ""
-    borrowed: dict[str, tuple[str, ...]] = field(default_factory=dict)
     constants: dict[str, object] = field(default_factory=dict)
     twofolds: tuple[TwofoldKernel, ...] = ()
     record: Record | None = None
@@ -308,14 +305,3 @@ class Module:
     def in_balls(self) -> tuple[Kernel, ...]:
         """What is printed in balls."""
         return (*(one for one in (*self.kernels, *self.cells) if one.paired), *self.balls)
-
-
-def suffix(scene: str) -> str:
-    """Of a module's name."""
-    return f"_{scene}" if scene else ""
-
-
-def in_words(scene: str) -> str:
-    """What vanishes in a scene."""
-    vanishing = [f"{symbol} = 0" for symbol in SCENES[scene]]
-    return f", in the scene {' and '.join(vanishing)}" if vanishing else ""

@@ -20,9 +20,10 @@ _SYSTEMS = " ".join(
 )
 
 #: what the solvers of slow flow and their proofs evaluate on whole intervals only; in Python proofs in balls do
-_ON_INTERVALS = """F_A F_AA fold isola cusps cusp_R cusp intercept R F F_Omega F_OmegaOmega F_AOmega level backbone
-    least_restoring most_restoring isola_Omega level_rise cusp_bend isola_bend"""
-_STATES = "F_Omega_reduced state_R state"
+_ON_INTERVALS = """F_A F_AA fold fold_zeta0 isola isola_mu0 cusps cusp_R cusp intercept R F F_Omega F_OmegaOmega
+    F_AOmega level backbone least_restoring most_restoring isola_Omega level_rise cusp_bend isola_bend
+    undamped_Omega"""
+_STATES = "F_Omega_reduced F_Omega_reduced_mu0 F_Omega_reduced_zeta0 state_R state"
 
 #: by module, with names of kernels, or * for all that are in neither of the first two:
 #:     cells    -- on intervals, and nowhere on doubles
@@ -35,25 +36,14 @@ REQUESTS = {
     "slow_flow": {
         "enclosed": f"friction fold_quartic peak_cubic turn peak {_ON_INTERVALS}",
         # friction's number is no double: balls have it
-        "searched": f"{_ON_INTERVALS} {_STATES}",
+        "searched": f"{_ON_INTERVALS} {_STATES} undamped_rises",
         "paired": "friction",
         "unlooped": "held",
         "from_c": """fold_moves fold_square peak_Omega_A cusp_balance isola_level isola_hessian tail rest isola_Omega
-            isola cusp_R peak least_restoring most_restoring level_rise cusp_bend isola_bend Omega_A turn""",
+            isola cusp_R peak least_restoring most_restoring level_rise cusp_bend isola_bend Omega_A turn fold_mu0
+            isola_mu0 fold_zeta0 undamped undamped_level undamped_Omega undamped_rises""",
         "cells": f"{_STATES} fold_least",
         "settled": " ".join(f"{kind}_step" for kind in EQUATIONS),
-    },
-    "slow_flow_mu0": {
-        "from_c": "fold isola",
-        "enclosed": "isola",
-        "searched": "isola F_Omega_reduced",
-        "cells": "F_Omega_reduced",
-    },
-    "slow_flow_zeta0": {
-        "from_c": "undamped undamped_level undamped_Omega undamped_rises",
-        "enclosed": "fold undamped_Omega",
-        "searched": "fold undamped_Omega undamped_rises F_Omega_reduced",
-        "cells": "F_Omega_reduced",
     },
     "inertia": {
         "enclosed": "terms peak isola isola_apart",

@@ -25,8 +25,6 @@ COMPILED = (".so", ".pyd")
 
 def manifest(files: dict[str, str], results: Results) -> str:
     """The manifest's text: what the files were made from, and their names. What is in each says its history."""
-    from .form import suffix  # here, not above: it imports SymPy, which takes longer than to write files
-
     here = Path(__file__).parents[1]
     content = {
         "command": COMMAND,
@@ -36,7 +34,10 @@ def manifest(files: dict[str, str], results: Results) -> str:
             for name in results.mechanisms
         },
         "resultants": {
-            **{f"detachment{suffix(scene)}": facts(found.resultant) for scene, found in results.detachment.items()},
+            **{
+                f"detachment_{scene}".removesuffix("_"): facts(found.resultant)
+                for scene, found in results.detachment.items()
+            },
             **{
                 f"{name} {which}": facts(getattr(derived, which))
                 for name, derived in results.mechanisms.items()

@@ -157,5 +157,5 @@ def detached(flow: Formulas) -> Formulas:
     of = Formulas((A, m, zeta, h), domain="A > 0")
     of.resultant = detachment(flow)
     text = "Reduced resultant of F and F_Omega: coefficients of F_0^0, F_0^2, ...; its roots are candidates for F_cr."
-    of.add("detachment", of.resultant.by_even_power, text, "(34)", arguments=of.order, returns="stack")
+    of.add("detachment", of.resultant.by_even_power, text, "(34)", returns="stack")
     return of

@@ -148,7 +148,7 @@ def slow_flow(averaged: Averaged, scene: str = "") -> Formulas:
     of.add("backbone", root, "Frequency on the backbone.", "(26)", "A > 0, h <= 0")
     of.backbone = backbone
 
-    @of.kernel("(27)", "Omega > 0, F_0 > m; sticks otherwise", arguments=(Omega, F_0, m, zeta))
+    @of.kernel("(27)", "Omega > 0, F_0 > m; sticks otherwise")
     def limit_envelope() -> sp.Expr:
         """Largest amplitude that the forcing can hold at this frequency.
 
@@ -197,7 +197,7 @@ def slow_flow(averaged: Averaged, scene: str = "") -> Formulas:
     text = "4 Omega^2 det(jacobian) = F_A/(2 A); stable where positive."
     of.add("stability", sp.factor_terms(F_A / (2 * A)), text, "(30)")
 
-    @of.kernel("(24)", "A > 0", arguments=(A, F_0, m, zeta, h))
+    @of.kernel("(24)", "A > 0")
     def response_quartic() -> tuple[sp.Expr, ...]:
         """F as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
 

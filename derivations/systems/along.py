@@ -99,7 +99,7 @@ def along(flow: Formulas) -> Formulas:
         of_tangent = _intercept(flow.R)
         return of_tangent, sp.expand(slope(of_tangent))
 
-    @of.kernel("(34)", arguments=(Omega, A, m, zeta, h))
+    @of.kernel("(34)")
     def F_Omega_reduced() -> Lets:
         """F_Omega/(4 A), without the factor Omega if it has that, and its slope along Omega.
 
@@ -202,7 +202,6 @@ def _fold(of: Formulas, flow: Formulas) -> None:
         "Zero at a fold at F_0: R of (23) less the R of F = F_A = 0; its slope along A, and Omega.",
         "from (24), (30)",
         "A > 0, F_0 > m, k^2 >= F_0^2 - m^2",
-        arguments=(A, F_0, m, zeta, h, h_A, k, k_A),
     )
 
     @of.kernel("from (23)", "A > 0")
@@ -258,7 +257,7 @@ def _isola(of: Formulas, flow: Formulas) -> None:
     text = "The forcing at an isola point: of R from h rounding leaves nothing where damping is weak."
     of.add("isola_level", Lets([(I, flow.I)], hypot(I, R_value)), text, "from (24), (30)", "Omega > 0")
 
-    @of.kernel("from (30), (34)", "A > 0, h_A > 0; for m = 0 any h_A", arguments=(A, m, zeta, h, h_A, h_AA))
+    @of.kernel("from (30), (34)", "A > 0, h_A > 0; for m = 0 any h_A")
     def isola() -> Lets:
         """Zero at an isola point: F_Omega/(4 A) at its Omega, for m = 0 without the factor Omega; slope along A.
 

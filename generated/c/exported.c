@@ -10,9 +10,6 @@
 #define SF_TWOFOLD SF_KERNEL
 
 #include "slow_flow.h"
-#include "slow_flow_mu0.h"
-#include "slow_flow_zeta0.h"
-#include "slow_flow_mu0_zeta0.h"
 #include "frequencies.h"
 #include "inertia.h"
 #include "off_centre.h"

@@ -509,6 +509,120 @@ SF_KERNEL double slow_flow_tail(double Omega, double F_0, double m) {
     return sqrt(square) / (Omega * Omega + 1.0);
 }
 
+/* F as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
+   Equation (24). Domain: m = 0, A > 0. Operations: 10. Error / u (1 + kappa): proved -, 0.0, 1.61, 0.34; measured
+   0.92. */
+SF_KERNEL void slow_flow_response_quartic_mu0(double A, double F_0, double zeta, double h, double *out) {
+    const double t0 = A * A;
+    out[0] = (-F_0 + h) * (F_0 + h);
+    out[1] = 0.0;
+    out[2] = 2.0 * A * h + 4.0 * t0 * zeta * zeta;
+    out[3] = t0;
+}
+
+/* Reduced resultant of F and F_Omega: coefficients of F_0^0, F_0^2, ...; its roots are candidates for F_cr.
+   Equation (34). Domain: m = 0, A > 0. Operations: 14. Error / u (1 + kappa): proved 4.01, 5.67, 0.0. */
+#define SLOW_FLOW_DETACHMENT_MU0_COUNT 3
+SF_KERNEL void slow_flow_detachment_mu0(double A, double zeta, double h, double *out) {
+    const double t0 = h * h;
+    const double zeta2 = zeta * zeta;
+    const double t1 = A * zeta2;
+    const double t2 = 4.0 * t1;
+    const double zeta4 = zeta2 * zeta2;
+    out[0] = -t0 * t2 * (h + t1);
+    out[1] = 4.0 * A * A * zeta4 + h * t2 - t0;
+    out[2] = 1.0;
+}
+
+/* Zero at an isola point: F_Omega/(4 A) at its Omega, for m = 0 without the factor Omega; slope along A.
+   Equation from (30), (34). Domain: m = 0, A > 0, h_A > 0; for m = 0 any h_A. Operations: 9. Error / u (1 + kappa):
+   proved 2.34, 1.67. */
+SF_KERNEL void slow_flow_isola_mu0(double A, double zeta, double h, double h_A, double h_AA, double *out) {
+    const double t0 = 2.0 * zeta * zeta;
+    const double bracket = A * (h_A + t0) + h;
+    const double bracket_A = A * h_AA + 2.0 * h_A + t0;
+    out[0] = bracket;
+    out[1] = bracket_A;
+}
+
+/* Zero at a fold at F_0: R of (23) less the R of F = F_A = 0; its slope along A, and Omega.
+   Equation from (24), (30). Domain: m = 0, A > 0, F_0 > m, k^2 >= F_0^2 - m^2. Operations: 39. Error / u (1 +
+   kappa): measured 1.4. */
+SF_KERNEL void slow_flow_fold_mu0(double A, double F_0, double zeta, double h, double h_A, double k, double k_A, double *out) {
+    const double excess = F_0 * F_0;
+    const double least = sqrt(excess);
+    const double t0 = 1.0 / k;
+    const double t1 = least * t0;
+    const double share = sqrt((1.0 - t1) * (t1 + 1.0));
+    const double t2 = excess / F_0;
+    const double lag = share * t2;
+    const double t3 = t0 * t2;
+    const double t4 = 1.0 / (zeta * zeta);
+    const double t5 = 1.0 / A;
+    const double t6 = t4 * t5;
+    const double t7 = 0.25 * lag * lag;
+    out[0] = -F_0 * t3 + h + t6 * t7;
+    out[1] = F_0 * k_A * t2 * t2 * (F_0 / excess + 0.5 * t3 * t6) / (k * k) + h_A - t4 * t7 / (A * A);
+    out[2] = 0.5 * lag * t5 / zeta;
+}
+
+/* Reduced resultant of F and F_Omega: coefficients of F_0^0, F_0^2, ...; its roots are candidates for F_cr.
+   Equation (34). Domain: zeta = 0, A > 0. Operations: 6. Error / u (1 + kappa): proved 0.81, 0.67, 0.0. */
+#define SLOW_FLOW_DETACHMENT_ZETA0_COUNT 3
+SF_KERNEL void slow_flow_detachment_zeta0(double m, double h, double *out) {
+    const double t0 = m * m;
+    const double t1 = h * h;
+    out[0] = t0 * (t0 + t1);
+    out[1] = -2.0 * t0 - t1;
+    out[2] = 1.0;
+}
+
+/* Zero at a fold at F_0, where h_A < 0: R^2 + I^2 - F_0^2 on the undamped folds, and its slope along A.
+   Equation from (24), (30). Domain: zeta = 0, F_0 > m. Operations: 9. Error / u (1 + kappa): measured 0.62. */
+SF_KERNEL void slow_flow_fold_zeta0(double F_0, double m, double k, double k_A, double *out) {
+    const double excess = (F_0 - m) * (F_0 + m);
+    const double least = sqrt(excess);
+    out[0] = (k - least) * (k + least);
+    out[1] = 2.0 * k * k_A;
+}
+
+/* Omega of the folds.
+   Equation from (30). Domain: zeta = 0, h_A <= 0. Operations: 1. Error / u (1 + kappa): measured 0.67. */
+SF_KERNEL double slow_flow_undamped_Omega(double h_A) {
+    return sqrt(-h_A);
+}
+
+/* The forcing of a fold, whose R is k.
+   Equation from (24), (30). Domain: zeta = 0, h_A <= 0. Operations: 4. Error / u (1 + kappa): measured 0.99. */
+SF_KERNEL double slow_flow_undamped_level(double m, double k) {
+    return sqrt(k * k + m * m);
+}
+
+/* The sign of the level's slope along A on the undamped folds; and, where that is 0, of the slope's own.
+   Equation from (24), (30). Domain: zeta = 0, h_A <= 0. Operations: 2. Error / u (1 + kappa): proved 0.34, 0.34. */
+SF_KERNEL void slow_flow_undamped_rises(double h_AA, double h_AAA, double k, double *out) {
+    out[0] = -h_AA * k;
+    out[1] = -h_AAA * k;
+}
+
+/* The factors of F_AA/2 at the folds, each with its slope along A: h_AA, R.
+   Equation from (30), (33). Domain: zeta = 0, A > 0. Operations: 3. Error / u (1 + kappa): proved 0.0, 0.0, 1.01,
+   0.34. */
+SF_KERNEL void slow_flow_undamped(double A, double h, double h_A, double h_AA, double h_AAA, double *out) {
+    out[0] = h_AA;
+    out[1] = h_AAA;
+    out[2] = -A * h_A + h;
+    out[3] = -A * h_AA;
+}
+
+/* Reduced resultant of F and F_Omega: coefficients of F_0^0, F_0^2, ...; its roots are candidates for F_cr.
+   Equation (34). Domain: m = 0, zeta = 0, A > 0. Operations: 1. Error / u (1 + kappa): proved 0.34, 0.0. */
+#define SLOW_FLOW_DETACHMENT_MU0_ZETA0_COUNT 2
+SF_KERNEL void slow_flow_detachment_mu0_zeta0(double h, double *out) {
+    out[0] = -h * h;
+    out[1] = 1.0;
+}
+
 SF_FAMILY_END
 
 #endif

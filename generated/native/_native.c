@@ -49,10 +49,9 @@ static PyObject *ufuncs_of(const sf_module *module) {
 #define LOADED(module) { #module, load_##module, METH_NOARGS, "The compiled kernels of slowflow_kernels." #module "."},
 
 #define MODULES(EACH) \
-    EACH(slow_flow) EACH(slow_flow_mu0) EACH(slow_flow_zeta0) EACH(slow_flow_mu0_zeta0) EACH(frequencies) \
-    EACH(inertia) EACH(off_centre) EACH(dissipation) EACH(linearization) EACH(sensitivities) EACH(sampled) \
-    EACH(motion) EACH(second_approximation) EACH(den_hartog) EACH(duffing) EACH(rod_spring) \
-    EACH(rod_spring_untruncated)
+    EACH(slow_flow) EACH(frequencies) EACH(inertia) EACH(off_centre) EACH(dissipation) EACH(linearization) \
+    EACH(sensitivities) EACH(sampled) EACH(motion) EACH(second_approximation) EACH(den_hartog) EACH(duffing) \
+    EACH(rod_spring) EACH(rod_spring_untruncated)
 
 MODULES(LOADS)
 

@@ -22,7 +22,11 @@
     NUMBERS(of, cusps, 6, 5) NUMBERS(of, cusp_R, 6, 2) NUMBERS(of, cusp, 10, 4) NUMBERS(of, cusp_balance, 7, 2) \
     NUMBERS(of, turn, 6, 2) NUMBERS(of, peak, 6, 2) NUMBER(of, peak_Omega_A, 5) NUMBER(of, mean_stiffness, 3) \
     NUMBER(of, Omega_A, 6) NUMBER(of, level_rise, 7) NUMBER(of, cusp_bend, 6) NUMBER(of, isola_bend, 5) \
-    NUMBER(of, isola_hessian, 5) NUMBER(of, tail, 3)
+    NUMBER(of, isola_hessian, 5) NUMBER(of, tail, 3) NUMBERS(of, response_quartic_mu0, 4, 4) \
+    NUMBERS(of, detachment_mu0, 3, 3) NUMBERS(of, isola_mu0, 5, 2) NUMBERS(of, fold_mu0, 7, 3) \
+    NUMBERS(of, detachment_zeta0, 2, 3) NUMBERS(of, fold_zeta0, 4, 2) NUMBER(of, undamped_Omega, 1) \
+    NUMBER(of, undamped_level, 2) NUMBERS(of, undamped_rises, 3, 2) NUMBERS(of, undamped, 5, 4) \
+    NUMBERS(of, detachment_mu0_zeta0, 1, 2)
 
 KERNELS(SF_NUMBER, SF_NUMBERS, slow_flow)
 REGIMES_1(SF_SCALAR, slow_flow_isolation, slow_flow_isolation, X(0), X(1), X(2), X(3))

@@ -252,6 +252,28 @@ static inline sf_interval slow_flow_intervals_isola_bend(sf_interval Omega, sf_i
         MUL(Omega3, t2)), TIMES(4.0, Omega5)), MUL(MUL(h_AA, m), zeta)))), Omega2);
 }
 
+/* Zero at an isola point: F_Omega/(4 A) at its Omega, for m = 0 without the factor Omega; slope along A. */
+static inline void slow_flow_intervals_isola_mu0(sf_interval A, sf_interval zeta, sf_interval h, sf_interval h_A, sf_interval h_AA, sf_interval *out) {
+    const sf_interval t0 = TIMES(2.0, SQUARE(zeta));
+    const sf_interval bracket = ADD(MUL(A, ADD(h_A, t0)), h);
+    const sf_interval bracket_A = ADD(ADD(MUL(A, h_AA), TIMES(2.0, h_A)), t0);
+    out[0] = bracket;
+    out[1] = bracket_A;
+}
+
+/* Zero at a fold at F_0, where h_A < 0: R^2 + I^2 - F_0^2 on the undamped folds, and its slope along A. */
+static inline void slow_flow_intervals_fold_zeta0(sf_interval F_0, sf_interval m, sf_interval k, sf_interval k_A, sf_interval *out) {
+    const sf_interval excess = MUL(SUB(F_0, m), ADD(F_0, m));
+    const sf_interval least = SQRT(excess);
+    out[0] = MUL(SUB(k, least), ADD(k, least));
+    out[1] = TIMES(2.0, MUL(k, k_A));
+}
+
+/* Omega of the folds. */
+static inline sf_interval slow_flow_intervals_undamped_Omega(sf_interval h_A) {
+    return SQRT(NEG(h_A));
+}
+
 /* F_Omega/(4 A), without the factor Omega if it has that, and its slope along Omega.
    Equation (34). Domain: Omega > 0, A > 0. */
 static inline void slow_flow_intervals_F_Omega_reduced(sf_interval Omega, sf_interval A, sf_interval m, sf_interval zeta, sf_interval h, sf_interval *out) {
@@ -259,6 +281,22 @@ static inline void slow_flow_intervals_F_Omega_reduced(sf_interval Omega, sf_int
     const sf_interval t0 = MUL(A, SQUARE(Omega));
     out[0] = ADD(MUL(Omega, ADD(p, t0)), MUL(m, zeta));
     out[1] = ADD(p, TIMES(3.0, t0));
+}
+
+/* F_Omega/(4 A), without the factor Omega if it has that, and its slope along Omega.
+   Equation (34). Domain: m = 0, Omega > 0, A > 0. */
+static inline void slow_flow_intervals_F_Omega_reduced_mu0(sf_interval Omega, sf_interval A, sf_interval zeta, sf_interval h, sf_interval *out) {
+    const sf_interval t0 = TIMES(2.0, A);
+    const sf_interval p = ADD(h, MUL(t0, SQUARE(zeta)));
+    out[0] = ADD(MUL(A, SQUARE(Omega)), p);
+    out[1] = MUL(Omega, t0);
+}
+
+/* F_Omega/(4 A), without the factor Omega if it has that, and its slope along Omega.
+   Equation (34). Domain: zeta = 0, Omega > 0, A > 0. */
+static inline void slow_flow_intervals_F_Omega_reduced_zeta0(sf_interval Omega, sf_interval A, sf_interval h, sf_interval *out) {
+    out[0] = ADD(MUL(A, SQUARE(Omega)), h);
+    out[1] = TIMES(2.0, MUL(A, Omega));
 }
 
 /* R by its definition, and by its tangent along A, which meets A = 0 at k = h - A h_A.

@@ -16,9 +16,6 @@ import importlib
 
 MODULES = (
     "slow_flow",
-    "slow_flow_mu0",
-    "slow_flow_zeta0",
-    "slow_flow_mu0_zeta0",
     "frequencies",
     "inertia",
     "off_centre",

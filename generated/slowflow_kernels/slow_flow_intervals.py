@@ -10,8 +10,9 @@ the methods `square` and `sqrt`. Equations and domains that are not stated here 
 
 __all__ = [
     "backbone", "cusp", "cusp_bend", "cusp_R", "cusps", "F", "F_A", "F_AA", "F_AOmega", "F_Omega",
-    "F_Omega_reduced", "F_OmegaOmega", "fold", "intercept", "isola", "isola_bend", "isola_Omega", "least_restoring",
-    "level", "level_rise", "most_restoring", "R", "state", "state_R",
+    "F_Omega_reduced", "F_Omega_reduced_mu0", "F_Omega_reduced_zeta0", "F_OmegaOmega", "fold", "fold_zeta0",
+    "intercept", "isola", "isola_bend", "isola_mu0", "isola_Omega", "least_restoring", "level", "level_rise",
+    "most_restoring", "R", "state", "state_R", "undamped_Omega", "undamped_rises",
 ]
 
 
@@ -207,6 +208,31 @@ def isola_bend(Omega, A, m, zeta, h_AA):
     )
 
 
+def isola_mu0(A, zeta, h, h_A, h_AA):
+    """Zero at an isola point: F_Omega/(4 A) at its Omega, for m = 0 without the factor Omega; slope along A."""
+    t0 = 2.0 * zeta.square()
+    bracket = A * (h_A + t0) + h
+    bracket_A = A * h_AA + 2.0 * h_A + t0
+    return bracket, bracket_A
+
+
+def fold_zeta0(F_0, m, k, k_A):
+    """Zero at a fold at F_0, where h_A < 0: R^2 + I^2 - F_0^2 on the undamped folds, and its slope along A."""
+    excess = (F_0 - m) * (F_0 + m)
+    least = excess.sqrt()
+    return (k - least) * (k + least), 2.0 * k * k_A
+
+
+def undamped_Omega(h_A):
+    """Omega of the folds."""
+    return (-h_A).sqrt()
+
+
+def undamped_rises(h_AA, h_AAA, k):
+    """The sign of the level's slope along A on the undamped folds; and, where that is 0, of the slope's own."""
+    return -h_AA * k, -h_AAA * k
+
+
 def F_Omega_reduced(Omega, A, m, zeta, h):
     """F_Omega/(4 A), without the factor Omega if it has that, and its slope along Omega.
 
@@ -215,6 +241,24 @@ def F_Omega_reduced(Omega, A, m, zeta, h):
     p = 2.0 * A * zeta.square() + h
     t0 = A * Omega.square()
     return Omega * (p + t0) + m * zeta, p + 3.0 * t0
+
+
+def F_Omega_reduced_mu0(Omega, A, zeta, h):
+    """F_Omega/(4 A), without the factor Omega if it has that, and its slope along Omega.
+
+    Equation (34). Domain: m = 0, Omega > 0, A > 0.
+    """
+    t0 = 2.0 * A
+    p = h + t0 * zeta.square()
+    return A * Omega.square() + p, Omega * t0
+
+
+def F_Omega_reduced_zeta0(Omega, A, h):
+    """F_Omega/(4 A), without the factor Omega if it has that, and its slope along Omega.
+
+    Equation (34). Domain: zeta = 0, Omega > 0, A > 0.
+    """
+    return A * Omega.square() + h, 2.0 * A * Omega
 
 
 def state_R(Omega, A, h, h_A, k):

@@ -9,6 +9,7 @@ import pytest
 from slowflow import Duffing, Isolator
 from slowflow.averaged import diagnostics
 from slowflow.example import TABLE_1, isolator
+from slowflow_kernels import slow_flow
 from tests.averaged.test_certified_cases import ABOUT_CENTRE, ROUNDED, double, of_record
 from tests.files import stored
 from tests.oracles.errors import error
@@ -149,7 +150,7 @@ def assert_on_curve(oscillator, curve):
     """Every point is a steady state: the forcing that it needs is F_0 to rounding of its terms."""
     model = oscillator.model
     h = model.averaged(curve.A)[0]
-    R, I = model.flow.R(curve.Omega, curve.A, h), model.flow.I(curve.Omega, curve.A, model.m, model.zeta)
+    R, I = slow_flow.R(curve.Omega, curve.A, h), slow_flow.I(curve.Omega, curve.A, model.m, model.zeta)
     terms = curve.A * (1 + curve.Omega**2) + np.abs(I)  # h has terms of the size of A, which may cancel
     # an ulp above u_cr h has a vertical tangent: amplitudes that are u_cr to rounding are left out
     away = np.abs(curve.A - np.array(model.breakpoints)) > 1e-14 * curve.A
@@ -202,7 +203,7 @@ def test_the_fold_locus_passes_the_folds_of_every_forcing():
     assert points.A.min() < oscillator.u_cr < points.A.max() and points.branch.max() >= 1
     model = oscillator.model
     h, h_A, _, _ = model.averaged(points.A)
-    slope = model.flow.F_A(points.Omega, points.A, model.m, model.zeta, h, h_A)
+    slope = slow_flow.F_A(points.Omega, points.A, model.m, model.zeta, h, h_A)
     steep = np.abs(h_A) > 1e3  # next to u_cr an ulp of A moves F_A
     assert (np.abs(slope[~steep]) <= 1e-9).all()
     cusp = np.abs(points.F_0 / oscillator.saddle_node_onset().F_SN - 1) <= 1e-12  # no fold yet, or two

@@ -15,7 +15,7 @@ from tests.native import intervals
 from tests.sampling import fewer
 
 #: in Python, where balls go by them, and in C
-MODULES = ("slow_flow_intervals", "slow_flow_mu0_intervals", "slow_flow_zeta0_intervals")
+MODULES = ("slow_flow_intervals",)
 IN_C = (*MODULES, "inertia_intervals", "dissipation_intervals", "sampled_intervals")
 FUNCTIONS = [
     (module, name) for module in MODULES for name in importlib.import_module(f"slowflow_kernels.{module}").__all__

@@ -33,7 +33,7 @@ from tests.oracles.definitions import (
     sensitivities,
     slow_flow,
 )
-from tests.oracles.definitions.points import SCENES, Function, Table, measured, zeroed
+from tests.oracles.definitions.points import Function, Table, measured
 from tests.oracles.definitions.resultants import rational
 
 DIGITS = 60
@@ -48,7 +48,7 @@ RESULTANTS = {"saddle_nodes": resultants.saddle_nodes, "saddle_node_onset": resu
 BY_QUADRATURE = {"equivalent_damping", "transmissibility", "mean_stiffness", "offset_stiffness", "rise", "harmonics"}
 #: the modules of no mechanism
 MODULES = {
-    **{f"slow_flow{scene}": Table(along.of_scene(scene), place=along.place) for scene in SCENES},
+    "slow_flow": Table(along.OF_FLOW, place=along.place),
     "inertia": Table(inertia.INERTIA, place=inertia.place),
     "dissipation": Table(damping.DISSIPATION, place=damping.place),
     "linearization": Table(linearization.LINEARIZATION),
@@ -74,41 +74,30 @@ def parameters_of(mechanism: str) -> tuple[str, ...]:
     return other.parameters if other else PARAMETERS[mechanism]
 
 
-def scene_of(module: str) -> tuple[str, str]:
-    """The module without the vanishing dampings in its name, and these."""
-    scene = max((scene for scene in SCENES if module.endswith(scene)), key=len)
-    return module.removesuffix(scene), scene
-
-
 def define(module: str, kernel: str, names: Sequence[str], at: Sequence[float]) -> Function:
     """The function of `names` that the kernel is on its side of every breakpoint at this point.
 
     Raises KeyError for a kernel without a definition.
     """
-    base, scene = scene_of(module)
     known = dict(zip(names, at, strict=True))
-    if kernel == "phase" and scene == "_mu0_zeta0":
-        inertia = known["A"] * known["Omega"] ** 2
-        if abs(inertia + known["h"]) <= RELATIVE * inertia:
-            raise ValueError("in phase or out of it, to rounding")
-    if base == "slow_flow" and kernel == "fold":
-        m = 0.0 if "mu0" in scene else known["m"]
+    folds = ("fold", "fold_mu0", "fold_zeta0") if module == "slow_flow" else ()
+    if kernel in folds:
+        m = known.get("m", 0.0)
         if known.get("k", known.get("intercept")) ** 2 < (known["F_0"] - m) * (known["F_0"] + m):
             raise ValueError("no fold at such an intercept")
     if kernel == "R_of_fold" and abs(known["Omega"] ** 2 + known["h_A"]) <= RELATIVE * known["Omega"] ** 2:
         raise ValueError("a pole, to rounding")
-    with_rest = kernel in ("limit_envelope", "saddle_nodes", "fold") and base != "off_centre"
-    if with_rest and "F_0" in known and "mu0" not in scene:
+    with_rest = kernel in ("limit_envelope", "saddle_nodes", *folds)
+    if with_rest and "F_0" in known and kernel != "fold_mu0":
         friction = known["m"] if "m" in known else 4 * known["mu"] / math.pi
         if known["F_0"] <= friction * (1 + RELATIVE):
             raise ValueError("at rest, or a rounding from it")
-    if base == "slow_flow" and kernel == "isola" and "mu0" not in scene:
+    if module == "slow_flow" and kernel == "isola":
         if known["h_A"] <= 0:
             raise ValueError("no isola point: h_A > 0")
         if known["m"] == 0:
             raise ValueError("a common factor is left out without friction")
-    f = MODULES[module].definitions[kernel][1] if module in MODULES else _of_mechanism(module, kernel, names, at)
-    return zeroed(f, list(names), scene)
+    return MODULES[module].definitions[kernel][1] if module in MODULES else _of_mechanism(module, kernel, names, at)
 
 
 def is_of_gradients(kernel: str) -> bool:

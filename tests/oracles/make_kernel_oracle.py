@@ -24,7 +24,6 @@ from pathlib import Path
 
 from mpmath import mpf
 
-from derivations.codegen.catalogue.flow import OWN
 from derivations.mechanisms import all_mechanisms
 from tests.oracles.definitions.averaged_force import (
     COMPOSED as KNOWN,
@@ -41,7 +40,7 @@ from tests.oracles.definitions.points import (
     points,
     shown,
 )
-from tests.oracles.kernels import AVERAGES, MODULES, averages, scene_of, values
+from tests.oracles.kernels import AVERAGES, MODULES, averages, values
 from tests.oracles.kernels import parameters_of as names_of
 
 OUT = Path(__file__).parents[1] / "data" / "kernel_oracle.json"
@@ -141,12 +140,10 @@ def made(module: str) -> dict[str, list[dict]]:
     """The kernels' rows of a module."""
     rng, rows = random.Random(module), {}
     drawn = MODULES[module].points(rng) if module in MODULES else of_mechanism(module, rng)
-    own = OWN.get(scene_of(module)[1].removeprefix("_"))
     for kernel, names, x in drawn:
-        if not own or kernel in own:
-            found, scales = values(module, kernel, names, x)
-            row = {"at": list(x), "is": [shown(v) for v in found], "scale": [shown(s, 6) for s in scales]}
-            rows.setdefault(kernel, []).append(row)
+        found, scales = values(module, kernel, names, x)
+        row = {"at": list(x), "is": [shown(v) for v in found], "scale": [shown(s, 6) for s in scales]}
+        rows.setdefault(kernel, []).append(row)
     return rows
 
 

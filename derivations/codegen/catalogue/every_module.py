@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from ...results import Results
 from ..form import Module
-from .flow import slow_flow_modules
+from .flow import slow_flow_module
 from .frequencies import frequencies_module
 from .mechanism import mechanism_module, with_proofs
 from .stated import MODULES, stated_module
@@ -16,13 +16,13 @@ from .stated import MODULES, stated_module
 
 def all_modules(results: Results) -> list[Module]:
     """Every generated module, in the order in which they depend on one another."""
-    flows = slow_flow_modules(results)
+    flow = slow_flow_module(results)
     return [
-        *flows,
+        flow,
         frequencies_module(results),
         *(stated_module(name, results) for name in MODULES),
         *(
-            with_proofs(mechanism_module(results.mechanisms, name, flows[0]), derived)
+            with_proofs(mechanism_module(results.mechanisms, name, flow), derived)
             for name, derived in results.mechanisms.items()
         ),
     ]

@@ -18,7 +18,7 @@ from slowflow.answers.answer import Answer, Single, Table, joined
 from slowflow.core.mechanism import Flags, Ints
 from slowflow.core.model import THROUGHOUT, Floats, Model
 from slowflow.support.text import Sentence, text
-from slowflow_kernels import motion
+from slowflow_kernels import motion, slow_flow
 
 #: from this size on an error is worth a remark
 WORTH = 0.02
@@ -158,7 +158,7 @@ class MeasuredPoint(Single):
 def of_states(model: Model, Omega: Floats, A: Floats, *, corner: bool = False) -> Validity:
     """The validity of averaged steady states of the model; `corner` marks folds on a breakpoint."""
     h = model.averaged(A)[0]
-    F_0 = model.flow.level(Omega, A, *model.equivalent_damping(Omega, A), h)
+    F_0 = slow_flow.level(Omega, A, *model.equivalent_damping(Omega, A), h)
     with np.errstate(divide="ignore", invalid="ignore"):  # at Omega = 0
         ratio, rest = model.mu / F_0, np.where(model.mu > 0, motion.stopping(Omega, A, model.mu), 0.0)
     if not is_measured(model):

@@ -29,6 +29,7 @@ class Step(NamedTuple):
 AT = Sentence(" at {F_0 = :g}")
 ABOUT_ALL = Sentence("{F_0 = :r} is not allowed: {question:s} takes no forcing")
 QUARTIC = Sentence("{laws:s}: F is a quartic in {Omega}")
+QUADRATIC = Sentence("{laws:s}: F is a quadratic in {Omega}^2, roots in closed form")
 BELOW = Sentence("{F_0} < {F_SN = :g}: there are none")
 PIECES = text("pieces up to the largest amplitude at {F_0}")
 #: whether it is linear
@@ -286,7 +287,11 @@ def plan(question: str, F_0: float | None, whole: Model, onset: SaddleNodeOnset 
     elif not proofs.is_plain(whole):
         kept = (step for step in steps if step.name != "number")
         steps = tuple(step._replace(why=step.why.removesuffix(IN_BALLS)) for step in kept)
-    equation = QUARTIC.format(whole.laws.description()) if whole.laws.any else whole.flow.SCENE
+    vanishing = [name for name in ("mu", "zeta") if getattr(whole, name) == 0]
+    if vanishing and not whole.laws.any:
+        equation = QUADRATIC.format(" = ".join([*vanishing, "0"]))
+    else:
+        equation = QUARTIC.format(whole.laws.description() if whole.laws.any else "mu > 0, zeta > 0")
     return Plan(question, F_0, whole, (_force(question, F_0, whole), Step("slow flow", True, equation), *steps))
 
 

@@ -34,7 +34,7 @@ from slowflow.averaged.defined import check_defined
 from slowflow.core import validate
 from slowflow.core.model import Floats, Model
 from slowflow.support.errors import OutOfRange, Refused
-from slowflow_kernels import dissipation
+from slowflow_kernels import dissipation, slow_flow
 from slowflow_kernels.domains import DISSIPATION
 
 if TYPE_CHECKING:
@@ -362,7 +362,7 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
         """
         A = validate.positive_array("A", A)
         h = self.model.averaged(A)[0]
-        return np.asarray(self.model.flow.backbone(A, h))
+        return np.asarray(slow_flow.backbone(A, h))
 
     @np.errstate(all="ignore")
     def limit_envelope(self, *, Omega: Reals, F_0: Reals) -> Floats:
@@ -399,7 +399,7 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
                 if np.all(bounded >= above):
                     break
         elif self.zeta != 0:
-            bounded = self.model.flow.limit_envelope(Omega, force, self.model.m, self.zeta)
+            bounded = slow_flow.limit_envelope(Omega, force, self.model.m, self.zeta)
         return np.broadcast_to(np.where(force <= self.model.m, 0.0, bounded), shape).copy()
 
     @np.errstate(all="ignore")
@@ -423,7 +423,7 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
         """
         Omega, A = validate.positive_array("Omega", Omega), validate.positive_array("A", A)
         of_laws = self.model.equivalent_damping(Omega, A)
-        damping = self.model.flow.equivalent_damping(Omega, A, *of_laws) + 0 * (Omega + A)
+        damping = slow_flow.equivalent_damping(Omega, A, *of_laws) + 0 * (Omega + A)
         return _in_range("the equivalent damping", damping)
 
     @np.errstate(all="ignore")

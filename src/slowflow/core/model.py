@@ -1,8 +1,4 @@
-"""One oscillator as numbers. Takes a mechanism's record and parameters; returns the functions that solvers call.
-
-Its scene (which damping terms vanish) is settled here, once: a scene has slow-flow kernels of its own, derived with the
-zeros put in.
-"""
+"""One oscillator as numbers. Takes a mechanism's record and parameters; returns the functions that solvers call."""
 
 from __future__ import annotations
 
@@ -11,7 +7,6 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, fields
 from functools import cached_property
 from itertools import pairwise
-from types import ModuleType
 from typing import Any, ClassVar
 
 import numpy as np
@@ -20,11 +15,9 @@ from slowflow.core import backend, validate
 from slowflow.core.mechanism import Floats, Mechanism, Parameter, check_at_rest
 from slowflow.support.errors import Refused, WrongType
 from slowflow.support.text import Sentence, listed, text
-from slowflow_kernels import dissipation, inertia
-from slowflow_kernels import slow_flow as general_flow
+from slowflow_kernels import dissipation, inertia, slow_flow
 from slowflow_kernels.conventions import LARGEST
 from slowflow_kernels.domains import CONTACTS, DAMPING, DISSIPATION
-from slowflow_kernels.scenes import flow_of
 
 __all__ = ["Floats", "Laws", "Model", "check_names"]
 
@@ -127,7 +120,7 @@ def break_loose(m: Any, preload: Any) -> Floats:
     That is m = 4 mu/pi, and more where a preload, -h as A tends to 0, pulls inwards: then there are motions beside the
     rest. Numbers or arrays; no square leaves the range of doubles.
     """
-    return np.asarray(general_flow.held(m, np.maximum(preload, 0.0)))
+    return np.asarray(slow_flow.held(m, np.maximum(preload, 0.0)))
 
 
 @dataclass(frozen=True)
@@ -148,7 +141,6 @@ class SlowFlow:
     excitation: str = "force"
     laws: Laws = NO_LAWS
 
-    flow: ClassVar[Any] = general_flow
     _begins_beyond: ClassVar[Any] = False
 
     def each(self, function: Callable[[Any], Any]) -> SlowFlow:
@@ -160,7 +152,7 @@ class SlowFlow:
     @cached_property
     def m(self) -> Any:
         """4 mu/pi, friction's share of I (23)."""
-        return general_flow.friction(self.mu)
+        return slow_flow.friction(self.mu)
 
     @cached_property
     def breakpoints(self) -> tuple[Any, ...]:
@@ -236,7 +228,7 @@ class SlowFlow:
     def sine(self, Omega: Any, A: Any) -> Floats:
         """I, the sine balance (23), -F_0 sin phi at a steady state; shapes that broadcast."""
         if not self.laws.any:
-            return np.asarray(self.flow.I(Omega, A, self.m, self.zeta))
+            return np.asarray(slow_flow.I(Omega, A, self.m, self.zeta))
         return np.asarray(dissipation.I(Omega, A, self.at_rest(A)[0], self.viscous(A)[0], self.d, self.d_3))
 
     def equivalent_damping(self, Omega: Any, A: Any) -> tuple[Any, Any]:
@@ -245,16 +237,16 @@ class SlowFlow:
 
     def phase(self, Omega: Any, A: Any, h: Any) -> Any:
         """phi (25) at steady states."""
-        return self.flow.phase(Omega, A, *self.equivalent_damping(Omega, A), h)
+        return slow_flow.phase(Omega, A, *self.equivalent_damping(Omega, A), h)
 
     def transmissibility(self, Omega: Any, A: Any, F_0: Any, h: Any) -> Any:
         """What spring, damper and friction pass on at steady states, over the force."""
-        return general_flow.transmissibility(Omega, A, self.force(F_0, Omega), *self.equivalent_damping(Omega, A), h)
+        return slow_flow.transmissibility(Omega, A, self.force(F_0, Omega), *self.equivalent_damping(Omega, A), h)
 
     @property
     def curve(self) -> Any:
         """The kernels of the response's slopes, by what dissipates; they take what `_damping` gives."""
-        return dissipation if self.laws.any else self.flow
+        return dissipation if self.laws.any else slow_flow
 
     def _damping(self, A: Any, orders: int) -> tuple[Any, ...]:
         """What kernels of `curve` take between A and h: m, zeta, or I_0, zeta, slopes below `orders`, then d, d_3."""
@@ -282,7 +274,7 @@ class SlowFlow:
 
     def level(self, Omega: Any, A: Any, averages: Any = None) -> Floats:
         """The amplitude F_0 of the excitation for which (Omega, A) is a steady state (24), likewise."""
-        kernels: Any = inertia if self.inertial else self.flow
+        kernels: Any = inertia if self.inertial else slow_flow
         h, *_ = averages or self.averaged(A)
         return np.asarray(kernels.level(Omega, A, *self.equivalent_damping(Omega, A), h))
 
@@ -302,7 +294,7 @@ class SlowFlow:
         if self.inertial:
             return dissipation.I(1.0, dissipation.full_by_inertia(F_0, self.d), 0.0, 0.0, self.d, 0.0) / F_0
         with np.errstate(over="ignore"):  # a share of next to no force
-            return np.minimum(1.0, general_flow.transmissibility(1.0, 0.0, F_0, self.m, self.zeta, self.preload))
+            return np.minimum(1.0, slow_flow.transmissibility(1.0, 0.0, F_0, self.m, self.zeta, self.preload))
 
     def averaged(self, A: Any) -> tuple[Floats, Floats, Floats, Floats]:
         """h, h_A, h_AA, h_AAA at the amplitudes A (any shape)."""
@@ -319,7 +311,6 @@ class Model(SlowFlow):
     """The slow flow of one oscillator, dimensionless, its numbers checked.
 
     design     -- the numbers that the parameters follow from, as they were given; () where these are not known
-    flow       -- generated slow flow of the scene; `flow.SCENE` tells it in words
     breakpoints, jumps -- where the pieces of the force end, and the force just below less the force just above
     native     -- the same as the compiled solvers take it; None of a force that is not odd
     """
@@ -329,7 +320,6 @@ class Model(SlowFlow):
     zeta: float
     design: tuple[float, ...] = ()
     m: float = field(init=False)
-    flow: ModuleType = field(init=False, compare=False, repr=False)  # type: ignore[misc]
     breakpoints: tuple[float, ...] = field(init=False)
     jumps: tuple[float, ...] = field(init=False)
     native: Any = field(init=False, compare=False, repr=False)
@@ -351,8 +341,7 @@ class Model(SlowFlow):
         damping = self.mu, self.zeta, *laws
         native = backend.compiled_model(self.mechanism, self.parameters, damping, self.design, self.inertial)
         m, breakpoints, jumps = self._prepared() if native is None else backend.SOLVER.prepared(native)
-        flow = general_flow if self.laws.any else flow_of(self.mu, self.zeta)
-        self.__dict__.update(flow=flow, m=m, breakpoints=breakpoints, jumps=jumps, native=native)
+        self.__dict__.update(m=m, breakpoints=breakpoints, jumps=jumps, native=native)
         if not self.mechanism.is_generated:
             check_at_rest(self.mechanism, self.parameters)
         if self.laws.any:
@@ -392,7 +381,7 @@ class Model(SlowFlow):
 
         Raises ValueError for a parameter beyond `LARGEST`, and for pieces whose ends do not rise.
         """
-        m = float(general_flow.friction(self.mu))
+        m = float(slow_flow.friction(self.mu))
         numbers = dict(zip((*self.mechanism.parameter_names, text("4 {mu}/pi")), (*self.parameters, m), strict=True))
         ends = tuple(map(float, self.mechanism.breakpoints(*self.parameters)))
         for name, value in numbers.items():

@@ -280,7 +280,7 @@ class Motions:
         amplitudes = np.concatenate((folds.A[near], [A]))
         frequencies = np.concatenate((folds.Omega[near], [Omega]))
         h = model.averaged(amplitudes)[0]
-        phases = model.flow.phase(frequencies, amplitudes, *model.equivalent_damping(frequencies, amplitudes), h)
+        phases = model.phase(frequencies, amplitudes, h)
         known = sorted(zip(states.A, states.phi, strict=True), key=lambda state: abs(state[0] - A))
         return [((float(a), float(phi)), 0.0) for a, phi in (*known[:1], *zip(amplitudes, phases, strict=True))]
 

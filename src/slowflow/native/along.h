@@ -115,11 +115,11 @@ static inline void sf_ask_fold(const sf_task *task, const sf_sample *at, sf_answ
         return;
     slow_flow_intercept(at->A, at->h, at->h_A, at->h_AA, tangent);
     if (model->zeta == 0) {
-        slow_flow_zeta0_fold(task->F_0, model->m, at->k, tangent[1], fold);
-        out->Omega[0] = slow_flow_zeta0_undamped_Omega(at->h_A);
+        slow_flow_fold_zeta0(task->F_0, model->m, at->k, tangent[1], fold);
+        out->Omega[0] = slow_flow_undamped_Omega(at->h_A);
     } else {
         if (model->m == 0)
-            slow_flow_mu0_fold(at->A, task->F_0, 0, model->zeta, at->h, at->h_A, at->k, tangent[1], fold);
+            slow_flow_fold_mu0(at->A, task->F_0, model->zeta, at->h, at->h_A, at->k, tangent[1], fold);
         else
             slow_flow_fold(at->A, task->F_0, model->m, model->zeta, at->h, at->h_A, at->k, tangent[1], fold);
         out->Omega[0] = sf_fold_Omega(task, at, fold[2], fold[0]);
@@ -145,7 +145,7 @@ static inline void sf_ask_isola(const sf_model *model, const sf_sample *at, sf_a
     if (!(at->h_A > 0))
         return;
     if (model->m == 0) /* without the factor Omega */
-        slow_flow_mu0_isola(at->A, model->m, model->zeta, at->h, at->h_A, at->h_AA, isola);
+        slow_flow_isola_mu0(at->A, model->zeta, at->h, at->h_A, at->h_AA, isola);
     else
         slow_flow_isola(at->A, model->m, model->zeta, at->h, at->h_A, at->h_AA, isola);
     out->exists[0] = 1;
@@ -253,13 +253,13 @@ static inline void sf_ask_undamped(const sf_sample *at, sf_answer *out) {
     double factors[4];
     if (!(at->h_A < 0))
         return;
-    slow_flow_zeta0_undamped(at->A, at->h, at->h_A, at->h_AA, at->h_AAA, factors);
+    slow_flow_undamped(at->A, at->h, at->h_A, at->h_AA, at->h_AAA, factors);
     out->exists[0] = out->exists[1] = 1;
     out->y[0] = factors[0], out->dy[0] = factors[1];
     out->y[1] = factors[2], out->dy[1] = factors[3];
     if (at->A == 0)
         out->y[0] = at->h_AAA, out->y[1] = -at->h_AAA;
-    out->Omega[0] = out->Omega[1] = slow_flow_zeta0_undamped_Omega(at->h_A);
+    out->Omega[0] = out->Omega[1] = slow_flow_undamped_Omega(at->h_A);
 }
 
 /* h^2 + m^2 = F_0^2 has two smooth halves; by other laws of damping I_0 takes the place of m, and they end where it is

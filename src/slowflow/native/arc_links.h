@@ -53,7 +53,7 @@ static double sf_branch_at(const sf_model *model, const sf_sample *at, double F_
         return NAN;
     /* at A = 0, where the quartic is none, what damping is too weak to hide begins at the stiffness there */
     if (F_0 < 0 && (model->zeta == 0 || (at->A == 0 && fabs(at->h_A) < HUGE_VAL)))
-        return slow_flow_zeta0_undamped_Omega(fmin(at->h_A, 0));
+        return slow_flow_undamped_Omega(fmin(at->h_A, 0));
     sf_isolate_at(model, at, F_0, &q);
     return sf_root_at(&q, sf_place_of(q.exist, q.f0, q.f1, q.f2, count, index));
 }

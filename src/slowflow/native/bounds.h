@@ -261,7 +261,7 @@ static double sf_undamped_cut(const sf_model *model, double F_0) {
         A = fmax(A, 2 * model->b[model->breaks - 1]);
     for (int i = 0; !sf_inertial(model) && i < SF_RUNGS; i++, A *= 2) {
         const sf_sample at = sf_sample_at(model, A);
-        if (at.h_A < 0 ? slow_flow_zeta0_undamped_level(model->m, at.k) > F_0 : at.h_AA >= 0)
+        if (at.h_A < 0 ? slow_flow_undamped_level(model->m, at.k) > F_0 : at.h_AA >= 0)
             break;
         if (at.h_AA == 0 && at.h_AAA == 0)
             break;

@@ -69,7 +69,7 @@ static sf_interval sf_fold_Omega_on(const sf_terms *terms, const sf_cell *cell) 
     const sf_at_amplitude q = sf_at_cell(SF_ROOTS_OF_F, terms, cell);
     sf_interval fold[3];
     if (terms->zeta.hi == 0)
-        return slow_flow_zeta0_intervals_undamped_Omega(cell->h_A);
+        return slow_flow_intervals_undamped_Omega(cell->h_A);
     slow_flow_intervals_fold(cell->A, terms->F_0, terms->m, terms->zeta, cell->h, cell->h_A, sf_k_of_fold(terms, cell),
                              cell->k_A, fold);
     sf_interval Omega = sf_narrow_root(&q, fold[2]);

@@ -7,8 +7,6 @@
 #include "cells.h"
 #include "inertia_intervals.h"
 #include "slow_flow_intervals.h"
-#include "slow_flow_mu0_intervals.h"
-#include "slow_flow_zeta0_intervals.h"
 
 typedef enum { SF_NOWHERE, SF_PARTLY, SF_THROUGHOUT } sf_where;
 
@@ -45,7 +43,7 @@ static inline void sf_range_fold(const sf_terms *terms, const sf_cell *cell, sf_
     sf_interval k = cell->k, fold[3];
     out->edge = 0;
     if (terms->zeta.hi == 0) {
-        slow_flow_zeta0_intervals_fold(terms->F_0, terms->m, k, cell->k_A, fold);
+        slow_flow_intervals_fold_zeta0(terms->F_0, terms->m, k, cell->k_A, fold);
         out->where = sf_where_positive(sfi_neg(cell->h_A)), out->y = fold[0], out->dy = fold[1];
         return;
     }
@@ -90,7 +88,7 @@ static inline void sf_range_isola(const sf_task *task, const sf_cell *cell, sf_r
     if (out->where == SF_NOWHERE)
         return;
     if (terms->m.hi == 0)
-        slow_flow_mu0_intervals_isola(cell->A, terms->m, terms->zeta, cell->h, cell->h_A, cell->h_AA, isola);
+        slow_flow_intervals_isola_mu0(cell->A, terms->zeta, cell->h, cell->h_A, cell->h_AA, isola);
     else
         slow_flow_intervals_isola(cell->A, terms->m, terms->zeta, cell->h, cell->h_A, cell->h_AA, isola);
     sf_range_simple(isola[0], isola[1], out->where, out);

@@ -14,8 +14,6 @@
 #include "roots.h"
 #include "mechanism.h"
 #include "slow_flow.h"
-#include "slow_flow_mu0.h"
-#include "slow_flow_zeta0.h"
 
 /* m, zeta: the damping as the quartics of roots.h take it, I = 2 zeta A Omega + m; eta, d, d_3, zeta_2, released: other
  * laws of it, see laws.h, 0 where the record takes none; breaks: number of breakpoints b > 0, by rising size; jump:

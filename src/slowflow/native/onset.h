@@ -301,7 +301,7 @@ static sf_status sf_onset_in_last(const sf_model *model, const sf_sample *first,
 /* For zeta = 0, the sign of the level's slope along the folds, or, where that is 0, of the slope's own. */
 static double sf_undamped_rises(double h_AA, double h_AAA, double k, int order) {
     double rises[2];
-    slow_flow_zeta0_undamped_rises(h_AA, h_AAA, k, rises);
+    slow_flow_undamped_rises(h_AA, h_AAA, k, rises);
     return rises[order];
 }
 
@@ -317,7 +317,7 @@ static int sf_undamped_in(const sf_model *model, const sf_stretch *piece, sf_zer
         if (zero->question == SF_UNDAMPED && zero->channel == 1)
             tends = 1;
         else if (zero->question == SF_UNDAMPED && sf_undamped_rises(at.h_AA, at.h_AAA, at.k, 1) > 0)
-            sf_consider(slow_flow_zeta0_undamped_level(model->m, at.k), zero->Omega, zero->A, SF_CUSP_KIND, best);
+            sf_consider(slow_flow_undamped_level(model->m, at.k), zero->Omega, zero->A, SF_CUSP_KIND, best);
         else if (zero->question == SF_STIFFNESS && zero->channel == 1)
             best->rest = fmin(best->rest, sf_level(model, &at, 0));
     }
@@ -346,8 +346,8 @@ static int sf_undamped_on(const sf_model *model, const sf_sample *at, const sf_s
             best->rest = fmin(best->rest, at_rest);
     }
     if (turns)
-        sf_consider(slow_flow_zeta0_undamped_level(model->m, at->k), slow_flow_zeta0_undamped_Omega(at->h_A), at->A,
-                    SF_CORNER_KIND, best);
+        sf_consider(slow_flow_undamped_level(model->m, at->k), slow_flow_undamped_Omega(at->h_A), at->A, SF_CORNER_KIND,
+                    best);
     return 0;
 }
 
@@ -375,8 +375,7 @@ static int sf_undamped_beyond(const sf_model *model) {
 /* With a preload k is negative at rest: where folds of both signs of k are found it passes 0 between them, and folds
  * come as near to m as one asks. */
 static sf_status sf_onset_of_preload(const sf_model *model, double h, sf_work *work) {
-    const sf_status status =
-        sf_saddle_nodes(model, slow_flow_zeta0_undamped_level(model->m, 0.5 * h), work, &work->folds);
+    const sf_status status = sf_saddle_nodes(model, slow_flow_undamped_level(model->m, 0.5 * h), work, &work->folds);
     int signs = 0;
     if (status != SF_OK)
         return status;

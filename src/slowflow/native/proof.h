@@ -79,9 +79,9 @@ static void sf_value_on(const sf_at_amplitude *q, sf_interval w, sf_interval *y,
     } else {
         sf_interval reduced[2];
         if (m.hi == 0)
-            slow_flow_mu0_intervals_F_Omega_reduced(w, A, m, zeta, h, reduced);
+            slow_flow_intervals_F_Omega_reduced_mu0(w, A, zeta, h, reduced);
         else if (zeta.hi == 0)
-            slow_flow_zeta0_intervals_F_Omega_reduced(w, A, m, zeta, h, reduced);
+            slow_flow_intervals_F_Omega_reduced_zeta0(w, A, h, reduced);
         else
             slow_flow_intervals_F_Omega_reduced(w, A, m, zeta, h, reduced);
         *y = reduced[0], *dy = reduced[1];
@@ -92,7 +92,7 @@ static void sf_value_on(const sf_at_amplitude *q, sf_interval w, sf_interval *y,
 static double sf_highest_root(const sf_at_amplitude *q) {
     const sf_interval level = q->of == SF_ROOTS_OF_F ? q->terms.F_0 : sfi_point(0);
     const double highest = slow_flow_intervals_backbone(q->A, sfi_sub(q->h, level)).hi;
-    return q->of == SF_ROOTS_OF_F_A ? sfi_most(highest, slow_flow_zeta0_intervals_undamped_Omega(q->h_A).hi) : highest;
+    return q->of == SF_ROOTS_OF_F_A ? sfi_most(highest, slow_flow_intervals_undamped_Omega(q->h_A).hi) : highest;
 }
 
 /* ==== One cell ==================================================================================================== */

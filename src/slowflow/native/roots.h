@@ -36,7 +36,6 @@
 #include "conventions.h"
 #include "frequencies.h"
 #include "slow_flow.h"
-#include "slow_flow_zeta0.h"
 
 #if defined(__GNUC__)
 #define SF_RARELY __attribute__((noinline, cold, unused)) static
@@ -438,7 +437,7 @@ SF_ALWAYS int sf_fold_roots(double A, double h, double h_A, double m, double zet
         return -1;
     if (zeta == 0) { /* two factors: the backbone, and one in h_A alone */
         const double x = h < 0 ? slow_flow_backbone(A, h) : 0;
-        const double y = h_A < 0 ? slow_flow_zeta0_undamped_Omega(h_A) : 0;
+        const double y = h_A < 0 ? slow_flow_undamped_Omega(h_A) : 0;
         if (fmin(x, y) > 0)
             Omega[n++] = fmin(x, y);
         if (fmax(x, y) > 0)

@@ -30,6 +30,7 @@ from slowflow.random_vibration.record import accelerations
 from slowflow.sizing.samples import CONSTANT, in_time, velocity
 from slowflow.sizing.subject import Measured, Subject, first_jump
 from slowflow.support.errors import NotSettled, Refused
+from slowflow_kernels import slow_flow
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -526,7 +527,7 @@ def _backbone(subject: Subject, amplitudes: Any, frequencies: Any) -> _Measured:
         """0 where a design gives way."""
         designs, _, units = subject.designs(values)
         flow, at = designs._flow, A / units["length"]
-        found = flow.flow.backbone(at, flow.averaged(at)[0]) * units["frequency"]
+        found = slow_flow.backbone(at, flow.averaged(at)[0]) * units["frequency"]
         return np.asarray(np.nan_to_num(found))
 
     return _Measured(measured, A, of_designs, _names(subject, "A", subject.names[1], "m", "Hz"))

@@ -16,7 +16,7 @@ from tests.oracles.definitions.laws import (
     with_slope,
     with_zeros,
 )
-from tests.oracles.definitions.points import SCENES, Definitions, beside_backbone
+from tests.oracles.definitions.points import Definitions, beside_backbone, specialized
 from tests.oracles.definitions.resultants import detachment, of_reals
 from tests.oracles.definitions.slow_flow import SLOW_FLOW
 
@@ -228,34 +228,30 @@ DAMPED: Definitions = {
     "peak": by_arguments("Omega A F_0 m zeta h_A", peak),
     "peak_Omega_A": by_arguments("Omega A m zeta h_A", peak_slope),
 }
-UNDAMPED: Definitions = {
+DETACHMENT = ("A m zeta h", of_reals(detachment))
+#: where the dampings in a name vanish, and of folds without viscous damping. There (34) does not depend on A
+VANISHING: Definitions = {
+    "response_quartic_mu0": specialized(SLOW_FLOW["response_quartic"], m=0),
+    "detachment_mu0": specialized(DETACHMENT, m=0),
+    "isola_mu0": specialized(DAMPED["isola"], m=0),
+    "fold_mu0": specialized(DAMPED["fold"], m=0),
+    "detachment_zeta0": specialized(DETACHMENT, A=1, zeta=0),
+    "fold_zeta0": ("F_0 m intercept k_A", undamped_fold),
     "undamped_Omega": ("h_A", undamped_frequency),
     "undamped": by_arguments("A h h_A h_AA h_AAA", undamped),
-    "fold": ("F_0 m intercept k_A", undamped_fold),
     "undamped_level": ("m intercept", lambda m, k: [mp.hypot(m, k)]),
     "undamped_rises": ("h_AA h_AAA intercept", undamped_rises),
+    "detachment_mu0_zeta0": specialized(DETACHMENT, A=1, m=0, zeta=0),
 }
 #: of folds' neighbours
 BESIDE_FOLDS: Definitions = {
     "fold_moves": ("A intercept R", fold_sensitivities),
     "fold_square": ("Omega A lacks", lambda w, A, y: [w**2 - y / A]),
 }
+#: all of the slow flow
+OF_FLOW = SLOW_FLOW | SLOPES | {"detachment": DETACHMENT} | LOCI | DAMPED | BESIDE_FOLDS | VANISHING
 #: the sign of h_A where a root of it is taken
-SIGNS = {"isola_Omega": 1, "isola": 1, "undamped_Omega": -1, "undamped": -1}
-
-
-def of_scene(scene: str) -> Definitions:
-    """The slow flow's kernels where some dampings vanish."""
-    of_locus = UNDAMPED if "zeta" in SCENES[scene] else DAMPED
-    neighbours = {} if scene else BESIDE_FOLDS
-    return (
-        SLOW_FLOW
-        | ({} if scene else SLOPES)
-        | {"detachment": ("A m zeta h", of_reals(detachment))}
-        | LOCI
-        | of_locus
-        | neighbours
-    )
+SIGNS = {"isola_Omega": 1, "isola": 1, "isola_mu0": 1, "undamped_Omega": -1, "undamped": -1}
 
 
 def place(kernel: str, names: list[str], number: int, x: list[float]) -> None:

@@ -13,7 +13,6 @@ from tests.oracles.definitions.forces import rod_coefficients
 
 DIGITS = 40
 STEP = mpf(10) ** -20
-SCENES = {"": (), "_mu0": ("m", "mu"), "_zeta0": ("zeta",), "_mu0_zeta0": ("m", "mu", "zeta")}
 
 Function = Callable[..., list]
 Definitions = dict[str, tuple[str, Function]]
@@ -163,7 +162,13 @@ def shown(value, digits: int = DIGITS) -> str:
     return "0" if value == 0 else mp.nstr(value, digits)
 
 
-def zeroed(f: Function, names: Sequence[str], scene: str) -> Function:
-    """The function with the scene's arguments put to zero, whatever is passed for them."""
-    gone = [k for k, name in enumerate(names) if name in SCENES[scene]]
-    return lambda *x: f(*(value * 0 if k in gone else value for k, value in enumerate(x)))
+def specialized(definition: tuple[str, Function], **known: int) -> tuple[str, Function]:
+    """A definition where some arguments are known."""
+    names, f = definition
+    others = [name for name in names.split() if name not in known]
+
+    def of_others(*x: mpf) -> list:
+        at = dict(zip(others, x, strict=True)) | {name: mpf(value) for name, value in known.items()}
+        return f(*(at[name] for name in names.split()))
+
+    return " ".join(others), of_others

@@ -14,10 +14,9 @@ import jinja2
 import sympy as sp
 
 from ....mechanisms import CONTACTS, DAMPING, DISSIPATION, EXCITATIONS, Parameter
-from ....paper.slow_flow import SCENES
 from ... import measured
 from ...common import with_calls
-from ...form import AVERAGED, GENERAL, Composition, Kernel, Module, Selection, suffix
+from ...form import AVERAGED, Composition, Kernel, Module, Selection
 from ...prose import in_python
 from ...views import (
     WIDTH,
@@ -66,9 +65,6 @@ def files(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
         result[f"slowflow_kernels/{conventions.name}.py"] = environment.get_template("conventions.py.jinja").render(
             conventions=conventions, width=width, show=stated
         )
-    result["slowflow_kernels/scenes.py"] = environment.get_template("scenes.py.jinja").render(
-        scenes=[(GENERAL + suffix(scene), vanishing) for scene, vanishing in most_first(SCENES)], general=GENERAL
-    )
     result["slowflow_kernels/__init__.py"] = environment.get_template("init.py.jinja").render(modules=modules)
     return result
 
@@ -100,7 +96,6 @@ def text(module: Module, code: Code) -> str:
             compositions=[composition_view(composition, CALLS) for composition in module.compositions],
             exported=exported(module),
             typed={one.name: signature(one) for one in named},
-            borrowed={other: sorted(names, key=in_import) for other, names in sorted(module.borrowed.items())},
             regimes=regimes(module),
             measured=measured.of(module),
             enclosed=[view(kernel, code[kernel.name], ENCLOSED) for kernel in module.on_intervals],
@@ -141,18 +136,11 @@ def _environment() -> jinja2.Environment:
     return environment
 
 
-def most_first(scenes: dict[str, dict[sp.Symbol, sp.Expr]]) -> list[tuple[str, list[str]]]:
-    """Scenes and the names of what vanishes in them, the most first: where all of it vanishes, so does each part."""
-    named = [(scene, [symbol.name for symbol in vanishing]) for scene, vanishing in scenes.items()]
-    return sorted(named, key=lambda one: -len(one[1]))
-
-
 def exported(module: Module) -> list[str]:
     """Public names of a Python module, sorted as in an import."""
     own = [
         *module.constants,
         *(one.name for one in (*printed(module), *module.from_c, *module.selections, *module.compositions)),
-        *(name for names in module.borrowed.values() for name in names),
         *(["MECHANISM"] if module.record else []),
     ]
     return sorted((name for name in own if not name.startswith("_")), key=in_import)

@@ -39,8 +39,6 @@ from slowflow.averaged.balls.search import (
 from slowflow.core.mechanism import Flags
 from slowflow.core.model import Floats, Model
 from slowflow_kernels import slow_flow_intervals as flow
-from slowflow_kernels import slow_flow_mu0_intervals as of_mu_0
-from slowflow_kernels import slow_flow_zeta0_intervals as of_zeta_0
 from slowflow_kernels.conventions import ENDLESS, FIRST, OnsetKind, Status
 
 #: by how much, relatively, the forcing up to which an onset is proved to be the lowest exceeds the one that was found
@@ -89,8 +87,12 @@ class Systems:
 
     def F_Omega(self, on: Cell, w: Enclosure) -> tuple[Any, Any]:
         """F_Omega without what is common, likewise."""
-        own = of_mu_0 if self.m.hi == 0 else of_zeta_0 if self.zeta.hi == 0 else flow
-        value, slope = own.F_Omega_reduced(w, on.A, self.m, self.zeta, on.h)
+        if self.m.hi == 0:
+            value, slope = flow.F_Omega_reduced_mu0(w, on.A, self.zeta, on.h)
+        elif self.zeta.hi == 0:
+            value, slope = flow.F_Omega_reduced_zeta0(w, on.A, on.h)
+        else:
+            value, slope = flow.F_Omega_reduced(w, on.A, self.m, self.zeta, on.h)
         return value, slope
 
     # ---- folds and states at the forcing ----
@@ -98,7 +100,7 @@ class Systems:
     def fold(self, cell: Cell) -> Sequence[Range]:
         """With viscous damping it ends at Omega = 0, where |k| is the least; F_A there has the sign of h_A."""
         if self.zeta.hi == 0:
-            return (Range(defined(-cell.h_A), *of_zeta_0.fold(self.F_0, self.m, cell.k, cell.k_A)),)
+            return (Range(defined(-cell.h_A), *flow.fold_zeta0(self.F_0, self.m, cell.k, cell.k_A)),)
         low = self.least.lo
         if cell.k.hi < low and cell.k.lo > -low:
             return (Range(),)
@@ -120,7 +122,7 @@ class Systems:
         points, more = self._folds_on_breakpoints(A_max)
         for on in (zero.on for zero in zeros):
             # from I, which exceeds m by little if damping is weak, or h_A: no bound next to a jump of the force
-            w = of_zeta_0.undamped_Omega(on.h_A) if self.zeta.hi == 0 else self._fold(on)[2]
+            w = flow.undamped_Omega(on.h_A) if self.zeta.hi == 0 else self._fold(on)[2]
             w = w.both(Enclosure(ZERO, self._highest(on)))
             found = frequencies_of(partial(self.F, on), w.lo, w.hi).positions()
             # then by F = 0, of which several roots may lie there: R has the sign of k
@@ -169,8 +171,9 @@ class Systems:
         where = defined(cell.h_A)
         if where == NOWHERE or self.level(flow.isola_Omega(cell.h_A), cell).lo > self.F_0.hi:
             return (Range(),)
-        own = of_mu_0 if self.m.hi == 0 else flow
-        return (Range(where, *own.isola(cell.A, self.m, self.zeta, cell.h, cell.h_A, cell.h_AA)),)
+        terms = self.zeta, cell.h, cell.h_A, cell.h_AA
+        found = flow.isola_mu0(cell.A, *terms) if self.m.hi == 0 else flow.isola(cell.A, self.m, *terms)
+        return (Range(where, *found),)
 
     def isolas(self, A_max: float) -> Points:
         """All of them."""
@@ -221,7 +224,7 @@ class Systems:
             if jumps and on.h.lo < 0 and jump <= 0:
                 points.append(Point(no_R, on, -jump if on.h.hi < 0 else 0))
             # beyond the last of these R is positive, and Omega^2 + h_A
-            highest = 2 * max(of_zeta_0.undamped_Omega(on.h_A).hi, no_R.hi)
+            highest = 2 * max(flow.undamped_Omega(on.h_A).hi, no_R.hi)
             for function in (self.F_A, self.F_Omega)[: 1 + jumps]:
                 for w, doubtful in frequencies_of(partial(function, on), ZERO, highest).positions():
                     rises = -flow.R(w, b, on.h).sign * jump
@@ -243,21 +246,21 @@ class Systems:
         _, more = amplitudes_of(balls, partial(undamped, 1), ENDLESS, FIRST)
         points = []
         far = balls.at(balls.count, arb(ENDLESS))
-        if not (far.h_A.lo >= 0 or of_zeta_0.undamped_rises(far.h_AA, far.h_AAA, far.k)[0].lo >= 0):
+        if not (far.h_A.lo >= 0 or flow.undamped_rises(far.h_AA, far.h_AAA, far.k)[0].lo >= 0):
             more.append(ALL)
         for on in (zero.on for zero in zeros):
-            sign = of_zeta_0.undamped_rises(on.h_AA, on.h_AAA, on.k)[1].sign
-            points.append(Point(of_zeta_0.undamped_Omega(on.h_A), on, sign, kind=OnsetKind.CUSP))
+            sign = flow.undamped_rises(on.h_AA, on.h_AAA, on.k)[1].sign
+            points.append(Point(flow.undamped_Omega(on.h_A), on, sign, kind=OnsetKind.CUSP))
         for i in range(balls.count):
             on, jump = balls.on(i), balls.jumps[i].sign
             if on.h_A.lo >= 0:
                 continue
             # |k| falls below; above h_AA is infinite, with the sign of what the slope loses
-            falls = -of_zeta_0.undamped_rises(on.h_AA, on.h_AAA, on.k)[0].sign
+            falls = -flow.undamped_rises(on.h_AA, on.h_AAA, on.k)[0].sign
             turn = 1 if jump < 0 else -on.k.sign if balls.jumps_at(i) else -(on.k * balls.kinks[i]).sign
             known = on.h_A.sign and falls and turn and (jump or not balls.jumps_at(i))
             sign = min(falls, turn) if known else 0
-            points.append(Point(of_zeta_0.undamped_Omega(on.h_A), on, sign, kind=OnsetKind.CORNER))
+            points.append(Point(flow.undamped_Omega(on.h_A), on, sign, kind=OnsetKind.CORNER))
         return points, doubts + more
 
     def lowest(self, A_max: float) -> tuple[Point | None, bool]:
