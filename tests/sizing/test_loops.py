@@ -9,16 +9,16 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from slowflow import Duffing
-from slowflow.sizing import from_loop
+from slowflow.sizing import fit, from_loop
 from tests.sampling import slow
 
 TRUTH = {"k_1": 2000.0, "k_3": 5e6, "friction": 0.8, "c": 12.0}
 
 
-def loop(seed=0, noise=0.05, k_5=0.0, **changes):
-    """Times, displacement and force of three cycles, the force with noise."""
+def loop(seed=0, noise=0.05, k_5=0.0, cycles=3.0, **changes):
+    """Times, displacement and force of some cycles, the force with noise."""
     truth = TRUTH | changes
-    t = np.linspace(0.0, 3.0, 1500)
+    t = np.linspace(0.0, cycles, 1500)
     x, v = 0.01 * np.sin(2 * np.pi * t), 0.02 * np.pi * np.cos(2 * np.pi * t)
     F = 0.3 + truth["k_1"] * x + truth["k_3"] * x**3 + k_5 * x**5 + truth["friction"] * np.sign(v) + truth["c"] * v
     return t, x, F + noise * np.random.default_rng(seed).standard_normal(t.size)
@@ -41,6 +41,45 @@ def test_intervals_hold_the_truth_in_nineteen_of_twenty_loops():
     assert (covered > 0.86).all(), covered
     assert np.mean([one.deviation for one in found]) == pytest.approx(0.05, rel=0.02)
     assert not any(one.message for one in found)
+
+
+@pytest.mark.parametrize("cycles", [1.0, 30.0, 80.0])
+def test_a_loop_has_its_numbers_at_any_number_of_cycles(cycles):
+    """Velocities are those of the motion; their polynomials err by 1e-3 where a cycle has 19 samples."""
+    t, x, F = loop(noise=0.0, cycles=cycles)
+    assert from_loop(x, F, t=t).value == pytest.approx(list(TRUTH.values()), rel=1e-2)
+    start = Duffing.physical(m=1, k_1=1900.0, k_3=5.5e6, friction=1.0, c=10.0)
+    found = fit(start, x=x, F=F, t=t)
+    assert dict(zip(found.parameter.tolist(), found.value, strict=True)) == pytest.approx(TRUTH, rel=1e-2)
+
+
+def triangle(v=0.04):
+    """Times, displacement, velocity and force of three cycles at one speed."""
+    t = np.linspace(0.0, 0.12 / v, 1500)
+    phase = (v * t / 0.04) % 1.0
+    x, v = 0.01 * np.abs(4 * phase - 2) - 0.01, v * np.where(phase < 0.5, -1.0, 1.0)
+    force = TRUTH["k_1"] * x + TRUTH["k_3"] * x**3 + TRUTH["friction"] * np.sign(v) + TRUTH["c"] * v
+    return t, x, force
+
+
+@pytest.mark.parametrize("noise", [0.0, 1e-5])
+def test_one_speed_does_not_tell_friction_from_damping(noise):
+    random = np.random.default_rng(0)
+    (t, x, F), (_, y, G) = triangle(), triangle(0.01)
+    x, y = (one + noise * random.standard_normal(one.size) for one in (x, y))
+    with pytest.raises(ArithmeticError, match="does not tell friction from c at one speed"):
+        from_loop(x, F, t=t)
+    assert from_loop(x, F).value == pytest.approx([2000.0, 5e6, 0.8 + 12.0 * 0.04], rel=2e-2)
+    both = from_loop(np.append(x, y), np.append(F, G), t=np.append(t, t[-1] + (t[1] - t[0]) + 4 * t))
+    assert both.value == pytest.approx(list(TRUTH.values()), rel=5e-2)
+
+
+def test_one_branch_determines_nothing():
+    t, x, F = loop()
+    rises = np.cos(2 * np.pi * t) > 0
+    for times in (None, t[rises]):
+        with pytest.raises(ArithmeticError, match="does not determine F_mean"):
+            from_loop(x[rises], F[rises], t=times)
 
 
 def test_noise_in_the_displacement_does_not_turn_the_motion():

@@ -642,6 +642,17 @@ def test_a_decay_and_a_loop_have_the_numbers_of_their_spring():
     assert 0.85 < together.deviation < 1.15 and not by_decay.message
 
 
+@pytest.mark.slow
+def test_a_decay_that_begins_in_motion_has_a_message():
+    """Without its first samples a decay does not begin at rest, as the fit assumes; alone, and beside a loop."""
+    start = Duffing.physical(m=12, **SPRING)
+    loop, free = in_time(np.random.default_rng(2))
+    begun = {**free, "x": free["x"][25:], "t": TIMES[25:]}
+    for sets in ([begun], [loop, begun]):
+        assert "neighbouring residuals are correlated" in fit(start, *sets, free=["k_1", "c"]).message
+        assert not fit(start, *sets[:-1], free, free=["k_1", "c"]).message
+
+
 @pytest.mark.night
 def test_intervals_of_decays_hold_the_truth_in_95_of_100():
     start = Duffing.physical(m=12, k_1=2500, k_3=4e5, friction=0.4, c=8)

@@ -27,7 +27,7 @@ from slowflow.exact.motion import MOST_STEPS, handle, system_of
 from slowflow.exact.transient import record
 from slowflow.oscillators.range_checks import Implausible
 from slowflow.random_vibration.record import accelerations
-from slowflow.sizing.samples import CONSTANT, in_time, velocity
+from slowflow.sizing.samples import CONSTANT, in_time, systematic, velocity
 from slowflow.sizing.subject import Measured, Subject, first_jump
 from slowflow.support.errors import NotSettled, Refused
 from slowflow_kernels import slow_flow
@@ -258,10 +258,12 @@ def _together(sets: Sequence[_Measured], deviations: Sequence[Any]) -> _Measured
 
     values = np.concatenate([of.values / one for of, one in zip(sets, each, strict=True)])
     names = ("point", "measured minus fitted, over its standard deviation")
+    ends = np.cumsum([of.values.size for of in sets]).tolist()
+    series = tuple(slice(end - of.values.size, end) for of, end in zip(sets, ends, strict=True) if of.series)
     released = [of.released for of in sets if of.released]
     if len(released) > 1:
         raise Refused("more than one free decay is not allowed: each has an x_0 of its own")
-    return _Measured(values, np.arange(1.0, values.size + 1), of_designs, names, sum(released))
+    return _Measured(values, np.arange(1.0, values.size + 1), of_designs, names, sum(released), series)
 
 
 @dataclass(frozen=True)
@@ -269,6 +271,7 @@ class _Measured:
     """What was measured: values, where, what designs have there, a row each, from their numbers, and names of both.
 
     released -- of a free decay from which displacement, 0 of what is none
+    series   -- which of the values are samples in time, of one motion each
     """
 
     values: Floats
@@ -276,6 +279,7 @@ class _Measured:
     of_designs: OfDesigns
     names: tuple[str, str]
     released: float = 0.0
+    series: tuple[slice, ...] = ()
 
     @property
     def unit(self) -> str:
@@ -338,6 +342,7 @@ def _fitted(subject: Subject, measured: _Measured, names: list[str]) -> Fit:
         OPEN.format(", ".join(open_)) if open_ else "",
         UNPROVED.format(others, size) if others else "",
         ABSENT.format(absent, size) if absent else "",
+        *dict.fromkeys(systematic(proved[of], measured.values[of]) for of in measured.series),
     )
     sheet = {**SHEET, RELEASED: "m"}
     units = np.array([sheet[name] if subject.mount else "" for name in names], dtype=np.str_)
@@ -601,7 +606,7 @@ def _decay(subject: Subject, x: Floats, t: Floats) -> _Measured:
                 found[k] = np.append(begin, np.frombuffer(states)[::2]) * sizes["length"]
         return found
 
-    return _Measured(x, t, of_designs, _names(subject, "t", "x", "s", "m"), float(x[0]))
+    return _Measured(x, t, of_designs, _names(subject, "t", "x", "s", "m"), float(x[0]), (slice(x.size),))
 
 
 def _loop(subject: Subject, x: Floats, F: Floats, t: Floats | None = None) -> _Measured:
@@ -621,4 +626,4 @@ def _loop(subject: Subject, x: Floats, F: Floats, t: Floats | None = None) -> _M
             found[k] = forces - forces.mean()
         return found
 
-    return _Measured(F - F.mean(), x, of_designs, _names(subject, "x", "F", "m", "N"))
+    return _Measured(F - F.mean(), x, of_designs, _names(subject, "x", "F", "m", "N"), series=(slice(x.size),))

@@ -16,7 +16,7 @@ from slowflow.core.mechanism import Floats
 from slowflow.oscillators.isolator import Duffing
 from slowflow.oscillators.physical import Physical
 from slowflow.sizing.fitting import CONFIDENCE, Numbers
-from slowflow.sizing.samples import CONSTANT, in_time, velocity
+from slowflow.sizing.samples import CONSTANT, in_time, systematic, velocity
 from slowflow.support.errors import NotSettled, Refused
 
 if TYPE_CHECKING:
@@ -24,13 +24,10 @@ if TYPE_CHECKING:
 
 __all__ = ["Loop", "from_loop"]
 
-#: correlation of neighbouring residuals above which something else than noise is left, where they are more than this
-#: share of the force
-LEFT, ROUNDING = 0.5, 1e-3
 LEAST_SAMPLES = 50
-SYSTEMATIC = (
-    "neighbouring residuals are correlated ({:.2f}): the model lacks an effect that the loop has, as `plot` shows"
-)
+#: standard deviation of speeds, over the largest, up to which they are one speed and its noise
+CONSTANT_SPEED = 0.03
+ONE_SPEED = "the loop does not tell friction from c at one speed: without t, friction is the sum of both forces"
 
 
 @dataclass(frozen=True, eq=False)
@@ -132,6 +129,9 @@ def from_loop(x: Any, F: Any, *, t: Any = None, degree: int = 3) -> Loop:
     size = np.array([np.abs(column).max() for column in columns.values()])
     if not (size > 0).all():
         raise NotSettled(CONSTANT)
+    speeds = np.abs(v[goes])
+    if t is not None and speeds.size and speeds.std() <= CONSTANT_SPEED * speeds.max():
+        raise NotSettled(ONE_SPEED)
     of = np.stack(list(columns.values()), axis=1) / size
     value, _, rank, _ = np.linalg.lstsq(of[goes], F[goes])
     left = np.count_nonzero(goes) - len(names)
@@ -147,10 +147,7 @@ def from_loop(x: Any, F: Any, *, t: Any = None, degree: int = 3) -> Loop:
     found = dict(zip(names, value.tolist(), strict=True))
     if found["friction"] + half[names.index("friction")] < 0:
         raise Refused("the loop has the wrong direction: where x rises, F must be larger than where x falls")
-    correlation = 0.0
-    if deviation > ROUNDING * np.abs(F).max():
-        correlation = float(np.corrcoef(residuals[goes][1:], residuals[goes][:-1])[0, 1])
-    message = SYSTEMATIC.format(correlation) if correlation > LEFT else ""
+    message = systematic(residuals[goes], F)
     own = slice(1, None)  # F_mean is no number of the oscillator
     units = np.array([SHEET[name] for name in names[own]], dtype=np.str_)
     rows_of = value[own], error[own], (value - half)[own], (value + half)[own]
