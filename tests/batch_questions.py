@@ -32,7 +32,7 @@ def _at(F_0: Any) -> dict[str, dict[str, Any]]:
         "transient": {"acceleration": F_0, "duration": 2.0},
         "shock_spectrum": {"acceleration": F_0, "duration": 2.0},
         "random": {"S_0": 0.01 * F_0},
-        "isolation at a level": {"F_0": 0.1 + F_0, "level_dB": -7.0},
+        "isolation at a level": {"F_0": F_0, "level_dB": -7.0},
         "transient of a record": {"acceleration": 5 * rows * PULSE, "tau": TAU, "after": 3.0},
     }
 

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import math
+
 import mpmath as mp
 import numpy as np
 import pytest
 import sympy as sp
+from scipy.optimize import brentq
 
 from slowflow import Duffing, derive
 from slowflow.answers.results import Remark
@@ -150,6 +153,24 @@ def test_onset_lies_below_the_forcing_the_spring_does_not_hold(yielding, mu):
         states = mount.amplitudes(Omega=every, F_0=ratio * found.F_SN)
         assert max(np.count_nonzero((states.Omega == one) & (states.A > 0)) for one in every) == most
     assert yielding.many(k=K, g=G, mu=[mu], **DAMPED).saddle_node_onset().F_SN[0] == found.F_SN
+
+
+@pytest.mark.parametrize("level_dB", [0.0, -1.0, -3.0])
+@pytest.mark.parametrize(("zeta", "F"), [(0.01, 0.2), (0.003, 0.3), (0.1, 0.2)])
+def test_slow_motions_beyond_the_cut_count_for_isolation(yielding, zeta, F, level_dB):
+    """Where R^2 - h^2 = (1 - kappa^2) F_0^2, A Omega^2 is a function of A: one equation, whose zero is far out."""
+    mu, rest = 0.02, -math.expm1(level_dB / 10 * math.log(10)) * F**2
+
+    def Omega(A):
+        return math.sqrt((restoring(A) + math.sqrt(restoring(A) ** 2 + rest)) / A)
+
+    A = brentq(lambda A: off_balance(Omega(A), A, F, mu, zeta), 1e-6, 1e8, xtol=1e-300, rtol=1e-15)
+    design = {"k": K, "g": G, "mu": mu, "zeta": zeta}
+    found, many = yielding(**design).isolation(F, level_dB), yielding.many(**design).isolation(F, level_dB=level_dB)
+    assert (found.Omega, found.A) == pytest.approx((Omega(A), A), rel=1e-12)
+    assert (float(many.Omega), float(many.A)) == pytest.approx((Omega(A), A), rel=1e-12)
+    assert not found.message and found.remarks == many.remarks == 0
+    assert A > 100 * F or zeta == 0.1 or level_dB == -3.0
 
 
 def test_curves_beyond_it_are_drawn_in_a_window_and_cut(yielding):

@@ -155,7 +155,7 @@ class Answer:
         return hash((type(self), *content))
 
     def to_dict(self) -> dict[str, Any]:
-        """Convert to plain Python: lists for arrays, numbers and texts, by name."""
+        """Convert to plain Python: lists for arrays, numbers and texts, by name; complex numbers are pairs."""
         return {name: plain(value) for name, value in self._content().items()}
 
     def columns(self) -> dict[str, npt.NDArray[Any]]:
@@ -489,9 +489,11 @@ def _short(value: Any) -> str:
 
 
 def plain(value: Any) -> Any:
-    """Convert an array to lists, an answer or a mapping to a dictionary, a code to its number."""
+    """Convert an array to lists (complex numbers to pairs), answers and mappings to dictionaries, codes to numbers."""
     if isinstance(value, Answer):
         return value.to_dict()
+    if np.iscomplexobj(value):  # JSON has none
+        value = np.stack((np.real(value), np.imag(value)), axis=-1)
     if isinstance(value, np.ndarray):
         return value.tolist()
     if isinstance(value, Mapping):

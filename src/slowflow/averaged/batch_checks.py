@@ -58,20 +58,20 @@ def margins(designs: Designs, F_0: Any, workers: int = 1) -> Batch:
         flow = designs._flow
         ends = flow.first_end
     endless = peaks.status == Status.UNBOUNDED
-    passes = endless | (peaks.A > ends)
-    if designs.excitation == "force":
-        unsure = endless & np.isfinite(F_cr) & ~checks.resonates(flow)
-        for at, found in _singly(designs, F_0, unsure, checks.passes_first_end):
-            passes[at] = bool(found)
+    passes = np.array(endless | (peaks.A > ends))
+    drifts = passes & ((peaks.remarks & Remark.LEAVES_CENTRE) != 0)
+    unsure = drifts | (endless & (designs.excitation == "force") & ~checks.resonates(flow))
     forcing, sticks_below = np.asarray(F_0, dtype=float), np.zeros(())
     if designs.excitation != "force":  # an amplitude that only rises tends to F_0
         passes |= (peaks.status == Status.NONE) & (forcing > F_cr)
         with np.errstate(all="ignore"):
             sticks_below = inertia.moves_from(forcing, slow_flow.friction(designs.values["mu"]))
-    detaches = passes & np.isfinite(F_cr) & ((peaks.remarks & Remark.LEAVES_CENTRE) == 0)
     status = np.where(folds.status == Status.STICKS, Status.OK, folds.status)
     for one, counts in ((onsets, True), (detachments, True), (peaks, np.isfinite(F_cr))):
         status = np.where((status == Status.OK) & np.isin(one.status, FAILED) & counts, one.status, status)
+    for at, found in _singly(designs, F_0, unsure & np.isfinite(F_cr) & (status == Status.OK), checks.passes_first_end):
+        passes[at], status[at] = bool(found), Status.UNRESOLVED if found is None else Status.OK
+    detaches = passes & np.isfinite(F_cr)
     with np.errstate(all="ignore"):  # what is no forcing has no share of one
         columns = {"F_SN": F_SN, "F_cr": F_cr, "of_SN": F_SN / forcing, "of_cr": F_cr / forcing}
     columns["Omega_sticks"] = np.where(sticks, math.inf, sticks_below)
@@ -150,8 +150,9 @@ def isolation(designs: Designs, F_0: Any, level_dB: Any = None, workers: int = 1
         flow, levels = designs._flow, isolating.Level.of(dB)
         status = np.where(np.isfinite(dB) & (dB <= 0), peaks.status, Status.INVALID).astype(np.int8)
         answered = np.isin(status, (Status.OK, Status.NONE) if flow.inertial else Status.OK)
-        # friction alone passes on more, at any frequency
-        floor = (dB < 0) & (flow.floor(forcing) >= levels.ratio) & answered
+        # friction alone passes on more, at any frequency, whether the response is known or not
+        any_state = answered if flow.inertial else ~np.isin(status, (Status.INVALID, Status.STICKS))
+        floor = (dB < 0) & (flow.floor(forcing) >= levels.ratio) & any_state
         known = flow.stays_centred & answered & ~floor
     status[floor] = Status.NONE
     remarks = (peaks.remarks | folds.remarks) & ~np.uint16(Remark.OF_TRUNCATION)  # which a fold is of, not the response

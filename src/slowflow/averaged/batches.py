@@ -20,7 +20,7 @@ from slowflow.answers.results import Remark
 from slowflow.answers.sensitivities import NOT_AVERAGED, Design, of_isolation, of_points, of_states
 from slowflow.answers.table import AVERAGING, QUESTIONS, Columns, Question
 from slowflow.answers.transmissibility import in_motion
-from slowflow.averaged import diagnostics
+from slowflow.averaged import diagnostics, messages, solvers
 from slowflow.averaged.isolating import Level
 from slowflow.core import validate
 from slowflow.core.mechanism import Flags
@@ -73,6 +73,7 @@ class Batch(Answer, OfDesigns):
 
         remarks  -- those of composed or single answers
         by_balls -- which designs were resolved in ball arithmetic
+        lowest   -- of states and curves: the lowest frequency, if above 0
         escapes  -- for peaks, which designs have none because the response continues beyond a well
         """
         row = QUESTIONS[question]
@@ -199,7 +200,7 @@ class Batch(Answer, OfDesigns):
         yield self._extra.get("by_balls", False), Remark.BY_BALLS
         if "undecided" in self._values:
             yield self.undecided, Remark.UNDECIDED
-            yield self._has_remarks & self._may_be_cut & self._are_cut, Remark.CUT
+            yield self._has_remarks & self._are_cut, Remark.CUT
 
     @property
     def _has_remarks(self) -> Flags:
@@ -213,24 +214,17 @@ class Batch(Answer, OfDesigns):
 
     @property
     def _are_cut(self) -> Any:
-        """Whose response is cut: nothing bounds it, or nothing below the mechanism's reach."""
-        designs = self._designs
-        damping = (np.asarray(designs.values.get(name, 0.0)) for name in ("zeta", *(one.name for one in DISSIPATION)))
-        undamped = np.all(np.broadcast_arrays(*(value == 0 for value in damping)), axis=0)
-        if designs.excitation == "force" and designs.mechanism.enclosed is None:
-            return undamped
-        # what does not close has no peak, as what passes the top of a well has none
-        peaks = designs.peak(self._F_0)
-        return undamped | ((peaks.status == Status.UNBOUNDED) & ~peaks._extra["escapes"])
-
-    @property
-    def _may_be_cut(self) -> Any:
-        """Whether what lies beyond a cut would be part of the answer."""
-        if self.question.name != "saddle_nodes":
-            return True
-        designs = self._designs
-        leaves_out = designs.excitation != "force" or designs.mechanism.enclosed is not None
-        return (self.count > 0) | (self.undecided != 0) | leaves_out
+        """Whose response is cut where what lies beyond would be part of the answer, as `solvers.remark_of` has it."""
+        with np.errstate(all="ignore"):  # a number outside its domain has a status
+            flow = self._designs._flow
+            cut = flow.undamped
+            if solvers.may_be_cut(flow, self._extra.get("lowest", 0.0)):
+                # what does not close has no peak, as what passes the top of a well has none
+                peaks = self._designs.peak(self._F_0)
+                cut = cut | ((peaks.status == Status.UNBOUNDED) & ~peaks._extra["escapes"])
+            if self.question.name == "saddle_nodes":
+                cut = cut & ((self.count > 0) | (self.undecided != 0) | messages.leaves_out(flow))
+        return cut
 
     def gradient(self) -> Gradient:
         """Differentiate the numbers of each design's answer with respect to the parameters, as for a single answer.

@@ -17,13 +17,16 @@ from slowflow.answers.results import OfPoint, Remark
 from slowflow.answers.validity import MeasuredPoint
 from slowflow.averaged import diagnostics, messages, solvers
 from slowflow.averaged.isolating import (
+    BEYOND,
     ISOLATES,
+    LEAST,
     NEVER,
     WHOLE,
     Level,
     as_level,
     highest,
     isolated,
+    lowest_passed,
     passes_on,
     rests_up_to,
 )
@@ -32,7 +35,7 @@ from slowflow.core.mechanism import Flags, Floats, Ints, Law, by_piece
 from slowflow.core.model import THROUGHOUT, SlowFlow
 from slowflow.support.errors import NotSettled
 from slowflow.support.text import Sentence, text
-from slowflow_kernels.conventions import ENDLESS, HIGHEST_OMEGA
+from slowflow_kernels.conventions import ENDLESS, HIGHEST_OMEGA, Status
 
 ISOLA = text("at {F_SN} an isolated curve is born: a sweep from rest neither reaches it nor jumps there")
 APART = text(
@@ -269,11 +272,11 @@ def margins(oscillator: Any, F_0: float) -> Margins:
         # as no amplitude is lower at a higher frequency
         F_cr = float(model.full_level(oscillator.breakpoints[0])) if model.laws.any else oscillator.breakpoints[0]
     # even if a mass at rest stays there, there may be motions that detach
-    sticks, moving = folds.F_0 <= oscillator.sticking_forcing, not model.sticks(folds.F_0)
-    detaches = moving and oscillator._detaches(folds.F_0)
+    sticks = folds.F_0 <= oscillator.sticking_forcing
+    detaches = not model.sticks(folds.F_0) and oscillator._detaches(folds.F_0)
     remarks = (folds.remarks | detachment.remarks) & ~onset.remarks
     texts = (
-        folds.message if sticks else "",
+        folds.message if sticks or Remark.CUT in folds.remarks else "",
         ISOLA if onset.kind == "isola" and Remark.OF_TRUNCATION not in onset.remarks else "",
         onset.message,
         detachment.message if model.inertial else "",
@@ -300,13 +303,17 @@ def passes_first_end(oscillator: Any, F_0: float) -> bool:
     """Whether a stable motion passes the first breakpoint."""
     if not oscillator.breakpoints:
         return False
-    model = oscillator.model
-    if model.inertial and (peak := oscillator.peak(F_0)).A is None and not peak._escapes:
+    model, peak = oscillator.model, oscillator.peak(F_0)
+    if peak._status == Status.STICKS:
+        return False
+    if peak.A is not None and Remark.LEAVES_CENTRE not in peak.remarks:  # the highest motion is stable
+        return bool(peak.A > oscillator.breakpoints[0])
+    if model.inertial and peak.A is None and not peak._escapes:
         # it does not close, or only rises, towards F_0
         return not oscillator.closes(F_0) or F_0 > oscillator.breakpoints[0]
-    if model.zeta == 0 and not oscillator.closes(F_0) and resonates(model):
+    if model.undamped and resonates(model):
         return True
-    curve = oscillator.frequency_response(F_0, samples=SAMPLES, Omega=(0.0, _highest(oscillator, F_0)))
+    curve = oscillator.frequency_response(F_0, samples=SAMPLES, Omega=(0.0, _window(oscillator, F_0)[1]))
     return bool((curve.A[curve.stable] > oscillator.breakpoints[0]).any())
 
 
@@ -350,13 +357,12 @@ def isolation(oscillator: Any, F_0: float, level_dB: float = 0.0) -> Isolation:
     made = partial(Isolation, level_dB=level.dB, _model=model, _equation=oscillator._equation)
     if model.inertial and not (oscillator.closes(F_0) or solvers.is_cut(model, F_0)):
         return made(None, None, False, F_0, NEVER.format(str(level)), Remark(0))
-    if not model.sticks(F_0) and (why := passes_on(model, oscillator.transmissibility_floor(F_0), level)):
+    if F_0 <= oscillator.sticking_forcing and (at_rest := oscillator.peak(F_0))._status == Status.STICKS:
+        return made(None, None, False, F_0, at_rest.message, at_rest.remarks)
+    if why := passes_on(model, oscillator.transmissibility_floor(F_0), level):
         return made(None, None, False, F_0, why, Remark(0))
-    curve = oscillator.frequency_response(F_0, samples=SAMPLES, Omega=(0.0, _highest(oscillator, F_0, level)))
-    if not len(curve):  # up to there a mass at rest passes on all that drives it
-        moves_from = float(rests_up_to(model, F_0))
-        if 0 < moves_from < math.inf:
-            return made(moves_from, 0.0, False, F_0, "", curve.remarks)
+    curve = oscillator.frequency_response(F_0, samples=SAMPLES, Omega=_window(oscillator, F_0, level))
+    if not len(curve):
         return made(None, None, False, F_0, curve.message, curve.remarks)
     at_fold, *at = isolated(model, curve, F_0, level)
     Omega, A = (None if math.isnan(one) else float(one) for one in at)
@@ -368,18 +374,20 @@ def isolation(oscillator: Any, F_0: float, level_dB: float = 0.0) -> Isolation:
     return made(Omega, A, bool(at_fold), F_0, message, curve.remarks)
 
 
-def _highest(oscillator: Any, F_0: float, level: Level = WHOLE) -> float:
-    """A frequency beyond which every motion transmits less than the force, or than that."""
-    found = oscillator.peak(F_0)
-    peak = (
-        found.A if not found._escapes else solvers.peak(oscillator.model, F_0).A
-    )  # the whole curve, beyond the well as well
-    if oscillator.model.inertial and peak is None and oscillator.closes(F_0):  # no amplitude exceeds F_0
+def _window(oscillator: Any, F_0: float, level: Level = WHOLE) -> tuple[float, float]:
+    """Frequencies outside which no motion begins or ceases to transmit the force, or that fraction of it."""
+    model, found = oscillator.model, oscillator.peak(F_0)
+    # the whole curve, beyond the well as well
+    peak = solvers.peak(model, F_0).A if found._escapes else found.A
+    if model.inertial and peak is None and oscillator.closes(F_0):  # no amplitude exceeds F_0
         peak = F_0
-    A_max = peak if peak is not None else oscillator.model.reach
+    A_max = peak if peak is not None else model.reach
+    lets_go = not (math.isfinite(A_max) or model.undamped)
     if not math.isfinite(A_max):
-        A_max = messages.cut(oscillator.model, F_0)[0]
-    return highest(oscillator.model, A_max, F_0, level, SAMPLES)
+        A_max = messages.cut(model, F_0)[0]
+    high = highest(model, A_max, F_0, level, SAMPLES)
+    low = min(lowest_passed(model, A_max, F_0, level), LEAST * high) if lets_go else 0.0
+    return low, max(high, min(BEYOND * float(rests_up_to(model, F_0)), float(HIGHEST_OMEGA)))
 
 
 def spectrum(oscillator: Any, Omega: Any, F_0: Any) -> Spectrum:

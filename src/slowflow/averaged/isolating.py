@@ -20,14 +20,14 @@ from slowflow.core.mechanism import Flags, Floats, Ints
 from slowflow.core.model import Model, SlowFlow
 from slowflow.support.text import Sentence
 from slowflow_kernels import inertia, slow_flow
-from slowflow_kernels.conventions import HIGHEST_OMEGA
+from slowflow_kernels.conventions import ENDLESS, HIGHEST_OMEGA
 
 ISOLATES = Sentence("every motion transmits less than {what:s}")
 NEVER = Sentence("a motion that transmits more than {what:s} extends to arbitrarily high frequencies")
 FLOOR = Sentence("at any frequency, however high, {what:s} transmits {floor:.4g} dB: it never stays below {level:g} dB")
 #: frequencies looked at, over the highest one at which anything can be transmitted in full
 BEYOND = 1.1
-#: amplitudes looked at of each of many designs, and the lowest of them over that of the peak
+#: amplitudes looked at of each of many designs, and the lowest of them over that of the peak; of frequencies likewise
 AMPLITUDES, LEAST = 64, 1e-6
 
 
@@ -147,7 +147,8 @@ def _from_rest_on(end: Any, at_fold: Any, Omega: Any, A: Any) -> tuple[Any, ...]
 
 def rests_up_to(of: Any, F_0: Any) -> Any:
     """The frequency up to which friction holds a mass that is excited by inertia, 0 of others."""
-    return inertia.moves_from(F_0, of.break_loose) if of.inertial else 0.0 * F_0
+    with np.errstate(over="ignore"):  # beyond any double it is at all
+        return inertia.moves_from(F_0, of.break_loose) if of.inertial else 0.0 * F_0
 
 
 def begins(
@@ -246,11 +247,24 @@ def zeros(function: Callable[[Floats], Floats], low: Floats, high: Floats) -> Fl
 def highest(of: Any, A_max: float, F_0: float, level: Level, samples: int) -> float:
     """A frequency beyond which no motion up to an amplitude transmits that."""
     A = A_max * np.arange(1, samples + 1) / samples
+    A = A[A > 0]  # fractions of the least double are 0
     if not level.dB:
         return min(BEYOND * max(1.0, float(up_to(of, A, F_0, level).max())), float(HIGHEST_OMEGA))
     with np.errstate(all="ignore"):
         steepest = ((np.abs(of.averaged(A)[0]) - of.preload) / A).max()
     return min(float(last_passed(of, F_0, level, max(steepest, 1.0), of.preload)), float(HIGHEST_OMEGA))
+
+
+def lowest_passed(of: SlowFlow, A: float, F_0: float, level: Level) -> float:
+    """A frequency below which no motion beyond an amplitude has that transmissibility, where no spring bounds motions.
+
+    Where one has it A Omega^2 is at least -2 h and sqrt(1 - kappa^2) F_0 (`slow_flow.isolation`), h of a force that
+    levels off; and as I does not exceed F_0, damping bounds A Omega.
+    """
+    with np.errstate(all="ignore"):  # without a law it bounds nothing
+        speed = (np.divide(F_0, [2 * of.zeta, of.d, of.d_3]) ** [1, 1 / 2, 1 / 3]).min()
+        pull = -2 * max(of.averaged(A)[0], of.averaged(ENDLESS)[0])
+    return float(max(pull, math.sqrt(level.reduction) * F_0, 0.0) / speed)
 
 
 def last_passed(of: Any, F_0: Any, level: Level, steepest: Any, preload: Any = 0.0) -> Floats:

@@ -11,6 +11,7 @@ Invalid designs, and designs without a result, have NaN. Their `status` gives th
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -262,9 +263,13 @@ class Designs(Unchanging, ManyQuestions[Batch, Reals]):
             return self._certify(**kwargs, workers=workers)
         at = {name: kwargs[name] for name in QUESTIONS[question].takes}
         max_count = validate.count("max_count", kwargs["max_count"], least=1) if "max_count" in kwargs else 0
-        own = curves(*validate.curve(kwargs["samples"], kwargs["Omega"])) if "samples" in kwargs else BY_NAME[question]
+        extra: dict[str, Any] = {}
+        if question == "frequency_response":
+            samples, window = validate.curve(kwargs["samples"], kwargs["Omega"])
+            own, extra["lowest"] = curves(samples, window), window[0]
+        else:
+            own = BY_NAME[question]
         columns = self.ask(own, workers, max_count=max_count, **at)
-        extra = {}
         if question == "peak":
             extra["escapes"] = self._leave_out_what_escapes(*columns, **at)
         elif question != "detachment":
@@ -272,6 +277,7 @@ class Designs(Unchanging, ManyQuestions[Batch, Reals]):
         if question == "frequency_response":
             self._leave_out_what_drifts(*columns[:3])
         elif question == "amplitudes":
+            extra["lowest"] = math.inf
             A, stable, count, _, status = columns
             self._leave_out_what_drifts(np.asarray(at["Omega"], dtype=float)[..., np.newaxis], A, stable)
             self._insert_states_at_rest(at["Omega"], at["F_0"], ((A, 0.0), (stable, 1)), count, status)

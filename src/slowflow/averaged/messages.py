@@ -15,7 +15,7 @@ from slowflow.answers.answer import joined
 from slowflow.answers.results import NOTHING, Peak, Remark, SaddleNodeOnset
 from slowflow.core import backend
 from slowflow.core.mechanism import Flags
-from slowflow.core.model import THROUGHOUT, Floats, Model
+from slowflow.core.model import THROUGHOUT, Floats, Model, SlowFlow
 from slowflow.support.text import Sentence, text, together
 from slowflow_kernels import dissipation, inertia
 from slowflow_kernels.conventions import CLOSE, Status
@@ -149,15 +149,23 @@ def of_points(A: Floats, few: Flags, none: str) -> dict[str, Any]:
 def of_folds(model: Model, F_0: float, any_folds: bool, cut: str) -> tuple[str | Callable[[], str], str]:
     """The message of folds, or what makes it, and what it has of where the response is cut, `cut`, in words or empty.
 
-    any_folds -- whether there are folds, or may be. Without any, cutting an undamped response leaves none out: it ends
-        where what is beyond has no fold, unless the force ends there
+    any_folds -- whether there are folds, or may be
     """
     if model.sticks(F_0):
         return partial(sticks, model, F_0), ""
-    ends = model.mechanism.enclosed is not None  # at its reach
-    leaves_out = model.inertial or ends or (model.zeta > 0 and model.spring == "levels off")
-    kept = cut if any_folds or leaves_out else ""
+    kept = cut if cut and (any_folds or leaves_out(model)) else ""
     return kept if any_folds or kept else partial(NO_FOLD.format, F_0), kept
+
+
+def leaves_out(flow: SlowFlow) -> Any:
+    """Whether a cut may leave out folds where there are none below it, of one oscillator or of many.
+
+    An undamped response ends where what is beyond has no fold, unless the force ends there; without a spring there is
+    no fold at all.
+    """
+    if flow.inertial or flow.mechanism.enclosed is not None:
+        return True
+    return ~np.asarray(flow.undamped) & (bool(flow.breakpoints) | (flow.averaged(1.0)[0] != 0))
 
 
 def sticks(model: Model, F_0: float) -> str:

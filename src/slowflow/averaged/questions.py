@@ -283,7 +283,7 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
         F_0 = validate.number("F_0", F_0, above=0.0)
         if self.model.sticks(F_0):
             return True
-        return (self.model.zeta > 0 or self.model.laws.any) and solvers.closes(self.model, F_0)
+        return not self.model.undamped and solvers.closes(self.model, F_0)
 
     def fold_locus(self, *, samples: int = 1000, A_max: float | None = None) -> FoldLocus:
         """Trace the saddle nodes of every forcing, F_A = 0 (30), on both sides of u_cr.

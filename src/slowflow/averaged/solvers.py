@@ -22,7 +22,7 @@ from slowflow.answers.results import (
 )
 from slowflow.averaged import messages
 from slowflow.core import backend
-from slowflow.core.model import Floats, Model
+from slowflow.core.model import Floats, Model, SlowFlow
 from slowflow.support import boundary
 from slowflow.support.errors import NotSettled, OutOfRange
 from slowflow_kernels import dissipation
@@ -54,19 +54,29 @@ def check(status: int, model: Model, F_0: float | None = None) -> None:
         raise NotSettled("the response is unresolved" if F_0 is None else messages.unresolved(model, F_0))
 
 
+def may_be_cut(flow: SlowFlow, lowest: float) -> bool:
+    """Whether a damped response may have no bound at frequencies from `lowest` on, of one oscillator or of many.
+
+    By inertia a hardening spring may not end the resonance; a force of one's own may soften up to its reach; and where
+    a force does not grow far away, or is none, it does not hold the mass as Omega tends to 0.
+    """
+    if flow.inertial or flow.mechanism.enclosed is not None:
+        return True
+    return lowest == 0 and flow.mechanism.reach == math.inf
+
+
 def remark_of(model: Model, F_0: float, lowest: float = 0.0) -> str:
     """A message on where a response is cut; lowest: the lowest Omega of the query."""
     if model.sticks(F_0):
         return ""
-    if model.zeta == 0 and not model.laws.any:
+    if model.undamped:
         return messages.cut(model, F_0)[1]
-    goes = not model.inertial and model.spring != "holds"
-    if (lowest > 0 and goes) or not (goes or model.inertial or model.mechanism.enclosed is not None):
+    if not may_be_cut(model, lowest):
         return ""
     status, A_max = backend.SOLVER.amplitude_bound(model.native, F_0)
     if status != Status.UNBOUNDED:
         return ""
-    if goes:
+    if not model.inertial and model.mechanism.enclosed is None:
         why = "no spring holds the mass" if model.spring == "none" else messages.LEVELS_OFF
         return messages.CUT_TOWARDS_REST.format(why, float(STATIC_MULTIPLE * max(F_0, *model.breakpoints, 0.0)))
     if model.inertial and A_max != model.reach:
@@ -156,7 +166,7 @@ def peak(model: Model, F_0: float, most: float = math.inf) -> Peak:
         raise NotSettled(messages.PEAK_AT.format(F_0, A))
     check(status, model, F_0)
     if status == Status.UNBOUNDED:
-        reason = remark_of(model, F_0) if model.zeta > 0 or model.laws.any else messages.NO_PEAK
+        reason = remark_of(model, F_0) if not model.undamped else messages.NO_PEAK
         return Peak(None, None, F_0, reason, _status=Status.UNBOUNDED)
     if status == Status.NONE:
         return messages.no_top(model, F_0, most)

@@ -193,6 +193,12 @@ class SlowFlow:
         return break_loose(self.m, self.preload)
 
     @property
+    def undamped(self) -> Any:
+        """Whether dry friction alone takes energy, which bounds no resonance."""
+        values = np.broadcast_arrays(self.zeta, *self.laws.numbers.values())
+        return np.all([value == 0 for value in values], axis=0) & (self.laws.contact == THROUGHOUT)
+
+    @property
     def inertial(self) -> bool:
         """Whether the force is the amplitude of the excitation times Omega^2."""
         return self.excitation != "force"
@@ -420,6 +426,11 @@ class Model(SlowFlow):
         *own, mu, zeta = [validate.within(domain, values[domain.name]) for domain in domains]
         design = tuple(own)
         return cls(mechanism, backend.parameters_of(mechanism, design), mu, zeta, excitation, laws, design)
+
+    @property
+    def undamped(self) -> bool:
+        """The same, a flag."""
+        return self.zeta == 0 and not self.laws.any
 
     @cached_property
     def linear(self) -> bool:

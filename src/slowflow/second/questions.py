@@ -283,7 +283,7 @@ class SecondApproximation(Questions[SecondStates, SecondResponse, SecondFolds]):
     def _of_curve(self, F_0: float, left: Any, window: tuple[float, float]) -> str:
         """What is to be said of a curve in a window: how many of how many points are left out, and between where."""
         lost, of, low, high = left
-        message = solvers.remark_of(self.first.model, F_0)
+        message = solvers.remark_of(self.first.model, F_0, window[0])
         empty = "" if of else messages.empty_window(self.first.model, F_0, window)
         return joined(message, empty, LOST.format(lost, of, (low, high)) if lost else "")
 
