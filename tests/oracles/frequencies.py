@@ -6,13 +6,16 @@ the compiled solvers.  The seeded stress cases for tests and benchmarks live her
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from fractions import Fraction
 
 import numpy as np
-from flint import arb, ctx, fmpq, fmpq_poly
+from flint import arb, arb_poly, ctx, fmpq, fmpq_poly
 
 U = 2.0**-53
 BITS = 320
+#: of a parameter, relatively
+STEP = Fraction(1, 2**100)
 KINDS = {
     "response": ("A", "h", "m", "zeta", "F_0"),
     "fold": ("A", "h", "h_A", "m", "zeta"),
@@ -20,60 +23,37 @@ KINDS = {
 }
 
 
-def _coefficients(kind: str, parameters: tuple[float, ...]) -> list[Fraction]:
-    """Exact coefficients in Omega, lowest power first."""
-    x = {name: Fraction(value) for name, value in zip(KINDS[kind], parameters, strict=True)}
+def _polynomial(kind: str, parameters: Sequence[Fraction]) -> fmpq_poly:
+    """Of Omega, exactly: F, or F_A or F_Omega but for a factor."""
+    x = dict(zip(KINDS[kind], parameters, strict=True))
     A, h, m, zeta = x["A"], x["h"], x["m"], x["zeta"]
     if kind == "response":
-        return [h**2 + m**2 - x["F_0"] ** 2, 4 * zeta * A * m, 2 * A * h + 4 * zeta**2 * A**2, Fraction(0), A**2]
-    if kind == "fold":
-        return [h * x["h_A"], 2 * zeta * m, h + A * x["h_A"] + 4 * zeta**2 * A, Fraction(0), A]
-    return [zeta * m, h + 2 * zeta**2 * A, Fraction(0), A]
-
-
-def _gradient(kind: str, parameters: tuple[float, ...], w: arb) -> tuple[list[arb], arb]:
-    """Products parameter * d(residual)/d(parameter), and Omega * d(residual)/d(Omega)."""
-    x = {name: arb(value) for name, value in zip(KINDS[kind], parameters, strict=True)}
-    A, h, m, zeta = x["A"], x["h"], x["m"], x["zeta"]
-    R, I = A * w * w + h, 2 * zeta * A * w + m
-    if kind == "response":
-        products = [
-            2 * A * (R * w * w + 2 * I * zeta * w),
-            2 * h * R,
-            2 * m * I,
-            4 * zeta * I * A * w,
-            -2 * x["F_0"] ** 2,
-        ]
-        return products, 4 * A * w * (w * R + zeta * I)
-    if kind == "fold":
-        T = w * w + x["h_A"]
-        products = [
-            A * (w * w * T + 4 * zeta**2 * w * w),
-            h * T,
-            x["h_A"] * R,
-            2 * zeta * w * m,
-            2 * w * zeta * (I + 2 * zeta * A * w),
-        ]
-        return products, w * (2 * A * w * T + 2 * w * R + 2 * zeta * (I + 2 * zeta * A * w))
-    products = [A * (w**3 + 2 * zeta**2 * w), h * w, zeta * m, zeta * (m + 4 * zeta * A * w)]
-    return products, w * (3 * A * w * w + h + 2 * zeta**2 * A)
+        powers = [h**2 + m**2 - x["F_0"] ** 2, 4 * zeta * A * m, 2 * A * h + 4 * zeta**2 * A**2, Fraction(0), A**2]
+    elif kind == "fold":
+        powers = [h * x["h_A"], 2 * zeta * m, h + A * x["h_A"] + 4 * zeta**2 * A, Fraction(0), A]
+    else:
+        powers = [zeta * m, h + 2 * zeta**2 * A, Fraction(0), A]
+    return fmpq_poly([fmpq(one.numerator, one.denominator) for one in powers])
 
 
 def roots(kind: str, parameters: tuple[float, ...]) -> list[tuple[arb, float]]:
     """Positive roots in rising order, as often as their multiplicity, each with its condition number kappa.
 
-    kappa is the sum over the parameters x of |x/Omega dOmega/dx|, infinite for a multiple root.
+    kappa is the sum over the parameters x of |x/Omega dOmega/dx|, infinite for a multiple root: by quotients of exact
+    differences, whose error is STEP.
     """
     ctx.prec = BITS
-    poly = fmpq_poly([fmpq(c.numerator, c.denominator) for c in _coefficients(kind, parameters)])
+    exact = [Fraction(value) for value in parameters]
+    poly = _polynomial(kind, exact)
+    moved = [_polynomial(kind, [*exact[:k], x * (1 + STEP), *exact[k + 1 :]]) for k, x in enumerate(exact)]
     found: list[tuple[arb, float]] = []
     for root, multiplicity in poly.complex_roots():
         if root.imag != 0 or not root.real > 0:
             continue
         kappa = float("inf")
         if multiplicity == 1:
-            products, slope = _gradient(kind, parameters, root.real)
-            kappa = float(sum((abs(p) for p in products), arb(0)) / abs(slope))
+            changes = sum((abs(arb_poly(one - poly)(root.real)) for one in moved), arb(0)) * STEP.denominator
+            kappa = float(changes / abs(root.real * arb_poly(poly.derivative())(root.real)))
         found += [(root.real, kappa)] * multiplicity
     return sorted(found, key=lambda pair: float(pair[0]))
 
@@ -86,7 +66,12 @@ def relative_error(value: float, exact: arb) -> float:
 
 def stress_cases(kind: str, count: int, seed: int) -> dict[str, np.ndarray]:
     """Named families of `count` parameter rows each, in the order of KINDS[kind]."""
-    rng = np.random.default_rng(seed)
+    drawn = _columns(kind, count, np.random.default_rng(seed))
+    return {name: np.column_stack(columns) for name, columns in drawn.items()}
+
+
+def _columns(kind: str, count: int, rng: np.random.Generator) -> dict[str, tuple[np.ndarray, ...]]:
+    """The same, a column for each parameter."""
 
     def uniform(low: float, high: float) -> np.ndarray:
         return rng.uniform(low, high, count)
@@ -97,6 +82,12 @@ def stress_cases(kind: str, count: int, seed: int) -> dict[str, np.ndarray]:
     def sign() -> np.ndarray:
         return rng.choice([-1.0, 1.0], count)
 
+    def nearly(low: float, high: float) -> np.ndarray:
+        return 1 + sign() * decades(low, high)
+
+    def to_ulps(value: np.ndarray, most: int) -> np.ndarray:
+        return value + rng.integers(-most, most + 1, count) * np.spacing(value)
+
     zero = np.zeros(count)
     few_zeros = rng.choice([0.0, 1e-12, 1e-3, 0.1], (2, count))
 
@@ -106,17 +97,13 @@ def stress_cases(kind: str, count: int, seed: int) -> dict[str, np.ndarray]:
         brink = zeta * m / (2 * wc**3)  # A that makes both roots meet at wc, for p = -3 A wc^2
         level = -(3 * brink * wc**2 + 2 * zeta**2 * brink)
         return {
-            "mild": np.column_stack([uniform(0.1, 2), uniform(-2, 1), uniform(0, 0.1), uniform(0, 0.2)]),
-            "decades": np.column_stack([A, sign() * decades(-3, 2), m, zeta]),
-            "zeros": np.column_stack([decades(-8, 3), sign() * decades(-3, 2), *few_zeros]),
-            "extreme A": np.column_stack([rng.choice([1e-8, 1e8], count) * uniform(1, 2), -decades(-9, 9), m, zeta]),
-            "near double": np.column_stack([brink, level * (1 + sign() * decades(-16, -3)), m, zeta]),
-            "double to an ulp": np.column_stack(
-                [brink, level + rng.integers(-4, 5, count) * np.spacing(level), m, zeta]
-            ),
-            "h near -2 zeta^2 A": np.column_stack(
-                [A, -2 * zeta**2 * A * (1 + sign() * decades(-16, 0)), m * 1e-6, zeta]
-            ),
+            "mild": (uniform(0.1, 2), uniform(-2, 1), uniform(0, 0.1), uniform(0, 0.2)),
+            "decades": (A, sign() * decades(-3, 2), m, zeta),
+            "zeros": (decades(-8, 3), sign() * decades(-3, 2), *few_zeros),
+            "extreme A": (rng.choice([1e-8, 1e8], count) * uniform(1, 2), -decades(-9, 9), m, zeta),
+            "near double": (brink, level * nearly(-16, -3), m, zeta),
+            "double to an ulp": (brink, to_ulps(level, 4), m, zeta),
+            "h near -2 zeta^2 A": (A, -2 * zeta**2 * A * nearly(-16, 0), m * 1e-6, zeta),
         }
 
     if kind == "fold":
@@ -129,19 +116,15 @@ def stress_cases(kind: str, count: int, seed: int) -> dict[str, np.ndarray]:
         R2 = (S + sign() * disc) / 2
         h2, hA2 = R2 - A * w**2, -X / R2 - w**2
         return {
-            "mild": np.column_stack(
-                [uniform(0.1, 2), uniform(-2, 1), uniform(-4, 1), uniform(0, 0.1), uniform(0, 0.2)]
-            ),
-            "decades": np.column_stack([A, sign() * decades(-3, 2), sign() * decades(-3, 3), m, decades(-4, 0)]),
-            "zeros": np.column_stack([decades(-3, 3), sign() * decades(-3, 2), sign() * decades(-3, 2), *few_zeros]),
-            "extreme A": np.column_stack(
-                [rng.choice([1e-8, 1e8], count), sign() * decades(-9, 9), sign() * decades(-2, 2), m, zeta]
-            ),
-            "beside a corner": np.column_stack([A, h, sign() * decades(3, 300), m, zeta]),
-            "near double": np.column_stack([A, h2, hA2 * (1 + sign() * decades(-16, -3)), m, zeta]),
-            "three roots": np.column_stack([A, decades(-6, -2), -decades(-2, 1), decades(-2, 0), decades(-2, 0)]),
-            "h = -A h_A nearly": np.column_stack([A, h, -h / A * (1 + sign() * decades(-16, -1)), m, zeta]),
-            "h = A h_A nearly": np.column_stack([A, h, h / A * (1 + sign() * decades(-16, -1)), m * 1e-6, zeta * 1e-3]),
+            "mild": (uniform(0.1, 2), uniform(-2, 1), uniform(-4, 1), uniform(0, 0.1), uniform(0, 0.2)),
+            "decades": (A, sign() * decades(-3, 2), sign() * decades(-3, 3), m, decades(-4, 0)),
+            "zeros": (decades(-3, 3), sign() * decades(-3, 2), sign() * decades(-3, 2), *few_zeros),
+            "extreme A": (rng.choice([1e-8, 1e8], count), sign() * decades(-9, 9), sign() * decades(-2, 2), m, zeta),
+            "beside a corner": (A, h, sign() * decades(3, 300), m, zeta),
+            "near double": (A, h2, hA2 * nearly(-16, -3), m, zeta),
+            "three roots": (A, decades(-6, -2), -decades(-2, 1), decades(-2, 0), decades(-2, 0)),
+            "h = -A h_A nearly": (A, h, -h / A * nearly(-16, -1), m, zeta),
+            "h = A h_A nearly": (A, h, h / A * nearly(-16, -1), m * 1e-6, zeta * 1e-3),
         }
 
     A, m, zeta, w = decades(-2, 1), decades(-4, -1), decades(-3, -0.5), decades(-0.7, 0.7)
@@ -160,11 +143,7 @@ def stress_cases(kind: str, count: int, seed: int) -> dict[str, np.ndarray]:
     angle = np.arccos(rho) / 3
     level = [
         (A * y**2 + three_h) ** 2 + (2 * zeta3 * A * y + m3) ** 2
-        for y in (
-            zero,
-            wc * (np.cos(angle) - np.sqrt(3) * np.sin(angle)),
-            wc * (np.cos(angle) + np.sqrt(3) * np.sin(angle)),
-        )
+        for y in (zero, *(wc * (np.cos(angle) + side * np.sqrt(3) * np.sin(angle)) for side in (-1, 1)))
     ]
     floor = np.maximum(level[0], level[2])
     three_F = np.sqrt(floor + (level[1] - floor) * rng.choice([0.5, 1e-3, 1 - 1e-3, 1e-9, 1 - 1e-9], count))
@@ -173,34 +152,18 @@ def stress_cases(kind: str, count: int, seed: int) -> dict[str, np.ndarray]:
     near_0 = np.hypot(h0, m0)
     triples = np.array([[3, 4, 5], [12, 5, 13], [8, 15, 17], [20, 21, 29]])[rng.integers(0, 4, count)].T / 16
     return {
-        "mild": np.column_stack([uniform(0.1, 2), uniform(-2, 1), uniform(0, 0.1), uniform(0, 0.2), uniform(0.05, 2)]),
-        "decades": np.column_stack([A, sign() * decades(-3, 2), m, decades(-4, 0), decades(-3, 2)]),
-        "F_0 << |h|": np.column_stack([A, -h0, h0 * decades(-16, -8), decades(-15, -8), h0 * decades(-13, -6)]),
-        "near tangent": np.column_stack([A, R - A * w**2, m, zeta, touch * (1 + sign() * decades(-16, -2))]),
-        "tangent to an ulp": np.column_stack(
-            [A, R - A * w**2, m, zeta, touch + rng.integers(-4, 5, count) * np.spacing(touch)]
-        ),
-        "extreme A": np.column_stack(
-            [rng.choice([1e-8, 1e8], count) * uniform(1, 2), sign() * decades(-9, 9), m, zeta, decades(-2, 3)]
-        ),
-        "zeros": np.column_stack([decades(-3, 3), sign() * decades(-3, 2), *few_zeros, decades(-2, 2)]),
-        "zeta = 0, F_0 near m": np.column_stack([A, -h0, m, zero, m * (1 + decades(-16, -1))]),
-        "h near 0": np.column_stack([A, sign() * decades(-20, -3), m, decades(-4, 0), decades(-3, 0)]),
-        "F(0) near 0": np.column_stack([A, -h0, m, zeta, np.hypot(h0, m) * (1 + sign() * decades(-16, -1))]),
-        "F(0) near 0 to an ulp": np.column_stack(
-            [A, -h0, m0, zeta, near_0 + rng.integers(-1, 2, count) * np.spacing(near_0)]
-        ),
-        "F(0) = 0 to an ulp": np.column_stack(
-            [
-                A,
-                sign() * triples[0],
-                triples[1],
-                decades(-20, 0),
-                triples[2] + rng.integers(-1, 2, count) * np.spacing(triples[2]),
-            ]
-        ),
-        "three roots": np.column_stack([A, three_h, m3, zeta3, three_F]),
-        "near triple": np.column_stack(
-            [A, h3 * (1 + sign() * decades(-16, -2)), m3, zeta3, F3 * (1 + sign() * decades(-16, -4))]
-        ),
+        "mild": (uniform(0.1, 2), uniform(-2, 1), uniform(0, 0.1), uniform(0, 0.2), uniform(0.05, 2)),
+        "decades": (A, sign() * decades(-3, 2), m, decades(-4, 0), decades(-3, 2)),
+        "F_0 << |h|": (A, -h0, h0 * decades(-16, -8), decades(-15, -8), h0 * decades(-13, -6)),
+        "near tangent": (A, R - A * w**2, m, zeta, touch * nearly(-16, -2)),
+        "tangent to an ulp": (A, R - A * w**2, m, zeta, to_ulps(touch, 4)),
+        "extreme A": (rng.choice([1e-8, 1e8], count) * uniform(1, 2), sign() * decades(-9, 9), m, zeta, decades(-2, 3)),
+        "zeros": (decades(-3, 3), sign() * decades(-3, 2), *few_zeros, decades(-2, 2)),
+        "zeta = 0, F_0 near m": (A, -h0, m, zero, m * (1 + decades(-16, -1))),
+        "h near 0": (A, sign() * decades(-20, -3), m, decades(-4, 0), decades(-3, 0)),
+        "F(0) near 0": (A, -h0, m, zeta, np.hypot(h0, m) * nearly(-16, -1)),
+        "F(0) near 0 to an ulp": (A, -h0, m0, zeta, to_ulps(near_0, 1)),
+        "F(0) = 0 to an ulp": (A, sign() * triples[0], triples[1], decades(-20, 0), to_ulps(triples[2], 1)),
+        "three roots": (A, three_h, m3, zeta3, three_F),
+        "near triple": (A, h3 * nearly(-16, -2), m3, zeta3, F3 * nearly(-16, -4)),
     }
