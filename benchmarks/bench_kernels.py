@@ -22,6 +22,7 @@ from derivations.paper.restoring_force import FAR, restoring
 from derivations.symbols import A
 from slowflow.example import DESIGN
 from slowflow_kernels import rod_spring
+from tests.oracles import kernels
 
 U = 2.0**-53
 SEED = 3
@@ -49,24 +50,12 @@ def families(u_cr: float, count: int) -> dict[str, tuple[np.ndarray, int]]:
     }
 
 
-def condition(exact: Callable[..., Any], point: tuple[float, ...]) -> list[tuple[Any, Any]]:
-    """Value and |f| + sum |x df/dx| of both functions at a point, from the closed form at 50 digits."""
-    with mpmath.workdps(50):
-        values = exact(*map(mpmath.mpf, point))
-        scales = [abs(value) for value in values]
-        for k, x in enumerate(point):
-            step = mpmath.mpf(x) * mpmath.mpf(10) ** -20
-            neighbour = exact(*(mpmath.mpf(y) + (step if j == k else 0) for j, y in enumerate(point)))
-            scales = [s + abs((b - a) * x / step) for s, a, b in zip(scales, values, neighbour, strict=True)]
-        return list(zip(values, scales, strict=True))
-
-
-def worst(answers: tuple[np.ndarray, np.ndarray], certified: list[list[tuple[Any, Any]]]) -> float:
-    """Largest error in u (1 + kappa)."""
+def worst(answers: tuple[np.ndarray, np.ndarray], certified: list[tuple[list[Any], list[Any]]]) -> float:
+    """Largest error in u (1 + kappa), by certified values and what rounding arguments and result would cost."""
     found = [0.0]
-    for values, truth in zip(zip(*answers, strict=True), certified, strict=True):
-        with mpmath.workdps(50):
-            found += [float(abs(mpmath.mpf(float(v)) - t) / (U * s)) for v, (t, s) in zip(values, truth, strict=True)]
+    for values, (truth, scales) in zip(zip(*answers, strict=True), certified, strict=True):
+        rounded = zip(values, truth, scales, strict=True)
+        found += [float(abs(mpmath.mpf(float(value)) - exact) / (U * scale)) for value, exact, scale in rounded]
     return max(found)
 
 
@@ -81,12 +70,13 @@ def measure(count: int, rounds: int, checked: int = 100) -> dict[str, Result]:
         closed = [whole.regimes[passed].closed_form(order) for order in (0, 1)]
         arguments = (A, *mechanism.parameters)
         by_sympy = sp.lambdify(arguments, closed, modules="numpy", cse=True)
-        exact = sp.lambdify(arguments, closed, modules="mpmath")
         methods: dict[str, Method] = {"slowflow": rod_spring.averaged_2, "SymPy": by_sympy}
         calls = {name: partial(method, amplitudes, *p) for name, method in methods.items()}
         seconds = medians({**calls, "slowflow": partial(calls["slowflow"], out=out)}, rounds)
         some = amplitudes[:: count // checked]
-        certified = [condition(exact, (float(x), *p)) for x in some]
+        certified = [
+            kernels.values("rod_spring", "averaged_2", list(map(str, arguments)), (float(x), *p)) for x in some
+        ]
         errors = [worst(method(some, *p), certified) for method in methods.values()]
         found[family] = Result(*(taken / count for taken in seconds.values()), *errors)
     return found
