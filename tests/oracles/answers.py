@@ -17,7 +17,7 @@ from flint import arb, arb_mat, fmpq
 from mpmath import mpf, workdps
 
 from tests.oracles import averaged, kernels
-from tests.oracles.averaged import ATTACHED, CORNER, DETACHED, Amplitude, Point, exact, exact_ball
+from tests.oracles.averaged import ATTACHED, CORNER, DETACHED, SLOPES, Amplitude, Point, exact, exact_ball
 from tests.oracles.certified_roots import precision
 from tests.oracles.conditioning import Condition, Conditioning
 from tests.oracles.definitions.resultants import rational
@@ -33,7 +33,6 @@ STEPS = 40
 NEXT, NEAR = arb(2) ** -48, arb(2) ** -100
 #: what vanishes, by what is asked: names in `averaged.Oscillator.derivatives`
 EQUATIONS = {"fold": ("F", "A"), "cusp": ("A", "AA"), "isola": ("A", "O"), "peak": ("F", "O")}
-SLOPES = {"F": ("O", "A"), "A": ("AO", "AA"), "AA": ("AAO", "AAA"), "O": ("OO", "AO")}
 
 
 #: the numbers of an answer to each question by their names in the oracle, and what the answer is there
@@ -127,7 +126,7 @@ class Nearby:
                 point.F_0 = self.oscillator.forcing(point.Omega, point.A, regime)
                 condition = self.conditions.extremum(point)
             else:
-                condition = self.conditions.fold(point) if kind == "fold" else self._peak(point)
+                condition = self.conditions.solved(point, ("Omega", "A"), names, point.Omega, forcing)
             return None if condition is None else (point, condition)
 
     def on_corner(self, kind: str, Omega: float, F_0: float) -> tuple[Point, Condition] | None:
@@ -186,17 +185,6 @@ class Nearby:
     def _stays(self, A: arb, regime: str) -> bool:
         u = self.oscillator.u_cr
         return bool(A > 0) and (u is None or bool((A < u) if regime == ATTACHED else (A > u)))
-
-    def _peak(self, p: Point) -> Condition:
-        d, h, _ = self.conditions._terms(p, p.Omega, p.F_0)
-
-        def residual(o: averaged.Oscillator, F_0: arb) -> list[arb]:
-            e = o.derivatives(p.Omega, p.A, p.regime, F_0)
-            return [e["F"], e["O"]]
-
-        kernel = [[2 * d["R"] * h[0], 4 * p.A * p.Omega * h[0]]]
-        jacobian = [[arb(0), d["A"]], [d["OO"], d["AO"]]]
-        return self.conditions._solve(("Omega", "A"), (p.Omega, p.A), jacobian, residual, p.F_0, kernel)
 
 
 def _newton(system: Any, x: list[arb]) -> list[arb] | None:

@@ -34,6 +34,8 @@ from tests.oracles.certified_roots import isolate, polynomial_roots, precision
 
 BITS = 280  # 84 digits to compute with; 40 are reported
 DIGITS = 40
+#: names in `derivatives`, with those of their derivatives by Omega and by A
+SLOPES = {"F": ("O", "A"), "A": ("AO", "AA"), "AA": ("AAO", "AAA"), "O": ("OO", "AO")}
 ATTACHED, DETACHED, CORNER = "attached", "detached", "corner"
 Number = float | int | Fraction
 Coefficients = Sequence[Any]
@@ -532,13 +534,12 @@ class Oscillator:
         names: tuple[str, str],
     ) -> list[Point]:
         """The candidates at which both named functions vanish; Omega from the roots of one polynomial."""
-        rows = {"F": ("O", "A"), "A": ("AO", "AA"), "AA": ("AAO", "AAA"), "O": ("OO", "AO")}
         points = []
         for A, regime in zeros:
 
             def system(x: arb, y: arb, regime: str = regime) -> tuple[list, list]:
                 d = self.derivatives(x, y, regime, F_0)
-                return [d[n] for n in names], [[d[k] for k in rows[n]] for n in names]
+                return [d[n] for n in names], [[d[k] for k in SLOPES[n]] for n in names]
 
             for Omega in self._roots(polynomial(*self._at(A, regime))):
                 if all(value.contains(0) for value in system(Omega, A)[0]):

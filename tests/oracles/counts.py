@@ -13,9 +13,9 @@ from typing import Any
 
 from flint import arb, fmpq_poly
 
-from tests.oracles.averaged import ATTACHED, BITS, CORNER, DETACHED, Jet, Oscillator, exact
+from tests.oracles.averaged import ATTACHED, BITS, CORNER, DETACHED, Jet, Oscillator, Point, exact
 from tests.oracles.certified_roots import precision
-from tests.oracles.conditioning import STEP, Conditioning, perturbed
+from tests.oracles.conditioning import Conditioning
 
 U = 2.0**-53
 
@@ -85,14 +85,9 @@ def _above(level: arb, forcing: arb) -> bool:
 
 def _condition(oscillator: Oscillator, Omega: arb, A: arb, regime: str) -> float:
     """Of a level of the states in the oscillator's numbers, Omega and h: where F_A = 0, A may stay as it is."""
-    here = oscillator.forcing(Omega, A, _side(regime))
-    step = arb(STEP)
-    shifted = [oscillator.forcing(Omega * (1 + step), A, _side(regime))]
-    for other in perturbed(oscillator):
-        shifted.append(other.forcing(Omega, other.u_cr if regime == CORNER else A, _side(regime)))
-    d, h = oscillator.derivatives(Omega, A, _side(regime), arb(0)), oscillator.h(A, _side(regime))[0]
-    total = sum((abs(x - here) / (step * here) for x in shifted), abs(d["R"] * h) / here**2)
-    return float(total.mid())
+    level = oscillator.forcing(Omega, A, _side(regime))
+    found = Conditioning(oscillator).solved(Point(Omega, A, regime), ("F_0",), ("F",), Omega, level)
+    return found.inputs["F_0"] + found.kernel["F_0"]
 
 
 def distance(counted: States | Folds, F_0: float) -> tuple[float, float, float]:
