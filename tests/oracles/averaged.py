@@ -22,19 +22,22 @@ that enclose the true value), and completeness is proved, not sampled:
 Numbers given as floats are taken exactly as their binary values; `fractions.Fraction` is exact too.
 """
 
+import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
+from itertools import zip_longest
 from typing import Any
 
-from flint import arb, arb_mat, arb_series, fmpq, fmpq_poly
+from flint import arb, arb_mat, arb_series, ctx, fmpq, fmpq_poly
 
 from tests.oracles.certified_roots import isolate, polynomial_roots, precision
 
 BITS = 280  # 84 digits to compute with; 40 are reported
 DIGITS = 40
-#: names in `derivatives`, with those of their derivatives by Omega and by A
+#: names of F and its derivatives by Omega and A; some of them with those of their own derivatives by either
+DERIVATIVES = ("F", "A", "O", "AA", "AO", "OO", "AAA", "AAO")
 SLOPES = {"F": ("O", "A"), "A": ("AO", "AA"), "AA": ("AAO", "AAA"), "O": ("OO", "AO")}
 ATTACHED, DETACHED, CORNER = "attached", "detached", "corner"
 Number = float | int | Fraction
@@ -120,6 +123,20 @@ def bezout(f: Coefficients, g: Coefficients) -> Any:
     return determinant([[entry(i, j) for j in range(n)] for i in range(n)])
 
 
+def times(f: Coefficients, g: Coefficients) -> list[Any]:
+    """The product of two polynomials, coefficients constant first."""
+    found: list[Any] = [0] * (len(f) + len(g) - 1)
+    for i, a in enumerate(f):
+        for k, b in enumerate(g):
+            found[i + k] = found[i + k] + a * b
+    return found
+
+
+def plus(*polynomials: Coefficients) -> list[Any]:
+    """Their sum."""
+    return [sum(terms) for terms in zip_longest(*polynomials, fillvalue=0)]
+
+
 @dataclass
 class Jet:
     """A and h with derivatives by A; h_A = g / s and h_AA = k / s^3, where s = t beyond the corner and 1 before it."""
@@ -163,6 +180,8 @@ class Oscillator:
 
     #: whether friction acts on the attached piece only
     ends_at_u_cr = False
+    #: the power of Omega beside F_0^2
+    driven_by = 0
 
     def __init__(self, **parameters: Number | fmpq) -> None:
         self.parameters = {k: v if isinstance(v, fmpq) else exact(v) for k, v in parameters.items()}
@@ -278,32 +297,32 @@ class Oscillator:
     # ---- F and its derivatives at a point ------------------------------------------------------------------------
 
     def derivatives(self, Omega: arb, A: arb, regime: str, F_0: arb) -> dict[str, arb]:
-        zeta, d = arb(self.zeta), self.d
-        h, h_A, h_AA, h_AAA = self.h(A, regime)
-        n, n_A, n_AA, n_AAA = self.at_rest(A, regime)
-        W = Omega * Omega
-        R, R_A, R_O = A * W + h, W + h_A, 2 * A * Omega
-        lag = n + A * Omega * (2 * zeta + d * A * Omega)
-        lag_A, lag_O = n_A + 2 * zeta * Omega + 2 * d * A * W, 2 * zeta * A + 2 * d * A * A * Omega
-        lag_AA, lag_AO, lag_OO, lag_AAO = n_AA + 2 * d * W, 2 * zeta + 4 * d * A * Omega, 2 * d * A * A, 4 * d * Omega
-        return {
-            "R": R,
-            "I": lag,
-            "I_A": lag_A,
-            "F": R * R + (lag - F_0) * (lag + F_0),
-            "A": 2 * (R * R_A + lag * lag_A),
-            "O": 2 * (R * R_O + lag * lag_O),
-            "AA": 2 * (R_A * R_A + R * h_AA + lag_A * lag_A + lag * lag_AA),
-            "AO": 2 * (R_O * R_A + 2 * R * Omega + lag_O * lag_A + lag * lag_AO),
-            "OO": 2 * (R_O * R_O + 2 * R * A + lag_O * lag_O + lag * lag_OO),
-            "AAA": 2 * (3 * R_A * h_AA + R * h_AAA + 3 * lag_A * lag_AA + lag * n_AAA),
-            "AAO": 2 * (4 * R_A * Omega + R_O * h_AA + 2 * lag_A * lag_AO + lag_O * lag_AA + lag * lag_AAO),
-        }
+        """R, I and I_A; F and its derivatives by Omega (O) and by A."""
+        before, ctx.cap = ctx.cap, 4
+        a, zero, zeta = arb_series([A, 1]), arb_series([0]), arb(self.zeta)
+        h, n = (
+            arb_series([value / math.factorial(k) for k, value in enumerate(of(A, regime))])
+            for of in (self.h, self.at_rest)
+        )
+        R, I = [h, zero, a], [n, 2 * zeta * a, self.d * a * a]
+        F = plus(times(R, R), times(I, I), self._driven(F_0))
+
+        def at(polynomial: Coefficients, by_Omega: int, by_A: int) -> arb:
+            terms = (
+                math.perm(k, by_Omega) * Omega ** (k - by_Omega) * polynomial[k][by_A]
+                for k in range(by_Omega, len(polynomial))
+            )
+            return math.factorial(by_A) * sum(terms, arb(0))
+
+        found = {"R": at(R, 0, 0), "I": at(I, 0, 0), "I_A": at(I, 0, 1)}
+        found |= {name: at(F, name.count("O"), name.count("A")) for name in DERIVATIVES}
+        ctx.cap = before
+        return found
 
     def forcing(self, Omega: arb, A: arb, regime: str) -> arb:
         """The forcing whose response curve passes through (Omega, A)."""
         d = self.derivatives(Omega, A, regime, arb(0))
-        return d["F"].sqrt()
+        return d["F"].sqrt() / Omega ** (self.driven_by // 2)
 
     # ---- polynomials in Omega, constant first -----------------------------------------------------------------------
 
@@ -324,60 +343,43 @@ class Oscillator:
         """Jets of balls and series stand for amplitudes beyond u_cr: those before it are rational polynomials."""
         return not isinstance(j.A, fmpq_poly)
 
+    def _driven(self, F_0: Any) -> list[Any]:
+        """What F has of the forcing."""
+        return [0] * self.driven_by + [-F_0 * F_0]
+
+    def _balances(self, j: Jet) -> tuple[list[Any], list[Any]]:
+        """R and I."""
+        zeta, d, n, *_ = self._numbers(j)
+        return [j.h, 0, j.A], [n, 2 * zeta * j.A, d * j.A * j.A]
+
     def _response_polynomial(self, j: Jet, F_0: Any) -> list[Any]:
         """F."""
-        zeta, d, n, *_ = self._numbers(j)
-        z, D = 2 * zeta * j.A, d * j.A * j.A
-        return [
-            j.h * j.h + n * n - F_0 * F_0,
-            2 * z * n,
-            2 * j.A * j.h + z * z + 2 * n * D,
-            2 * z * D,
-            j.A * j.A + D * D,
-        ]
+        R, I = self._balances(j)
+        return plus(times(R, R), times(I, I), self._driven(F_0))
 
     def _lag_polynomial(self, j: Jet, F_0: Any) -> list[Any]:
-        """s (A F_A/2 - F)."""
-        zeta, d, n, n_A, *_ = self._numbers(j)
-        z, D = 2 * zeta * j.A, d * j.A * j.A
-        v, turn = j.A * n_A - n, j.A * j.g - j.s * j.h
-        return [
-            j.s * (n * v + F_0 * F_0) + turn * j.h,
-            j.s * z * v,
-            j.s * D * (v + n) + turn * j.A,
-            j.s * z * D,
-            j.s * D * D,
-        ]
+        """s (A F_A/2 - F): of A R_A - R and A I_A - I inertia and viscous damping are gone."""
+        (_, d, n, n_A, *_), (R, I) = self._numbers(j), self._balances(j)
+        by_I = times([j.s], [j.A * n_A - n, 0, d * j.A * j.A])
+        driven = times([-j.s], self._driven(F_0))
+        return plus(times(R, [j.A * j.g - j.s * j.h]), times(I, by_I), driven)
 
     def _slope_polynomial(self, j: Jet) -> list[Any]:
         """s F_A/2."""
-        zeta, d, n, n_A, *_ = self._numbers(j)
-        z, D, A = 2 * zeta * j.A, d * j.A * j.A, j.A
-        return [
-            j.h * j.g + j.s * n * n_A,
-            j.s * (2 * zeta * n + z * n_A),
-            j.s * (j.h + 2 * zeta * z + 2 * d * A * n + D * n_A) + A * j.g,
-            j.s * (2 * d * A * z + 2 * zeta * D),
-            j.s * (A + 2 * d * A * D),
-        ]
+        (zeta, d, _, n_A, *_), (R, I) = self._numbers(j), self._balances(j)
+        return plus(times(R, [j.g, 0, j.s]), times([j.s], times(I, [n_A, 2 * zeta, 2 * d * j.A])))
 
     def _bend_polynomial(self, j: Jet) -> list[Any]:
         """s^3 F_AA/2, or what a jet scales it by."""
-        zeta, d, n, n_A, n_AA, _ = self._numbers(j)
-        z, D, A, (s3, s2, s) = 2 * zeta * j.A, d * j.A * j.A, j.A, j.scales
-        return [
-            s * j.g * j.g + j.h * j.k + s3 * (n_A * n_A + n * n_AA),
-            s3 * (4 * zeta * n_A + z * n_AA),
-            2 * s2 * j.g + A * j.k + s3 * (4 * zeta * zeta + 4 * d * A * n_A + 2 * d * n + D * n_AA),
-            s3 * (8 * zeta * d * A + 2 * d * z),
-            s3 * (1 + 4 * d * d * A * A + 2 * d * D),
-        ]
+        (zeta, d, _, n_A, n_AA, _), (R, I), (s3, s2, s) = self._numbers(j), self._balances(j), j.scales
+        I_A = [n_A, 2 * zeta, 2 * d * j.A]
+        by_I = plus(times(I_A, I_A), times(I, [n_AA, 0, 2 * d]))
+        return plus([s * j.g * j.g, 0, 2 * s2 * j.g, 0, s3], times(R, [j.k]), times([s3], by_I))
 
     def _peak_polynomial(self, j: Jet) -> list[Any]:
         """F_Omega/2."""
-        zeta, d, n, *_ = self._numbers(j)
-        z, D = 2 * zeta * j.A, d * j.A * j.A
-        return [n * z, 2 * j.A * j.h + z * z + 2 * n * D, 3 * z * D, 2 * (j.A * j.A + D * D)]
+        R, I = self._balances(j)
+        return plus(times(R, [0, 2 * j.A]), times(I, [I[1], 2 * I[2]]))
 
     @property
     def _even(self) -> bool:

@@ -9,7 +9,6 @@ F_0 Omega^2, taken exactly.
 import random
 from fractions import Fraction
 from functools import cached_property
-from typing import Any
 
 from flint import arb
 
@@ -18,7 +17,6 @@ from tests.oracles.averaged import (
     BITS,
     Amplitude,
     Duffing,
-    Jet,
     Number,
     Oscillator,
     Point,
@@ -36,24 +34,7 @@ EACH = 20
 class ByInertia(Oscillator):
     """In place of a force F_0 one of F_0 Omega^2; to be mixed into a kind of oscillator."""
 
-    def derivatives(self, Omega: arb, A: arb, regime: str, F_0: arb) -> dict[str, arb]:
-        d = super().derivatives(Omega, A, regime, arb(0))
-        square = Omega * Omega
-        d["F"] = d["F"] - (F_0 * square) ** 2
-        d["O"] = d["O"] - 4 * F_0 * F_0 * Omega * square
-        d["OO"] = d["OO"] - 12 * F_0 * F_0 * square
-        return d
-
-    def forcing(self, Omega: arb, A: arb, regime: str) -> arb:
-        return super().forcing(Omega, A, regime) / (Omega * Omega)
-
-    def _response_polynomial(self, j: Jet, F_0: Any) -> list[Any]:
-        *lower, leading = super()._response_polynomial(j, 0 * F_0)
-        return [*lower, leading - F_0 * F_0]
-
-    def _lag_polynomial(self, j: Jet, F_0: Any) -> list[Any]:
-        *lower, leading = super()._lag_polynomial(j, 0 * F_0)
-        return [*lower, leading + j.s * F_0 * F_0]
+    driven_by = 4
 
     def amplitudes(self, Omega: Number, F_0: Number) -> list[Amplitude]:
         force = Fraction(F_0) * Fraction(Omega) ** 2
