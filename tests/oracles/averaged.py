@@ -74,29 +74,23 @@ def exact_ball(x: arb) -> fmpq:
     return fmpq(mantissa) * fmpq(2) ** int(exponent)
 
 
-def _moments(t: Any) -> list:
-    """int_0^theta sin^2k, k = 1, 2, 3, with cot(theta) = t; t a ball or a Taylor polynomial.
+def _moments(t: arb_series) -> list[arb_series]:
+    """int_0^theta sin^2k, k = 1, 2, 3, with cot(theta) = t.
 
     The closed form serves at the centre only. Around it the derivative by t, -sin^(2k+2) theta, is integrated: the
     closed form's terms cancel for large t and would make wide balls useless.
     """
-    series = isinstance(t, arb_series)
-    ball = t[0] if series else t
-    centre = arb(ball.mid())
+    centre = arb(t[0].mid())
     sine_2 = 1 / (1 + centre * centre)
     product = centre * sine_2  # cos(theta) sin(theta)
     closed = [(arb.pi() / 2 - centre.atan() - product) / 2]
     closed.append((3 * closed[0] - product * sine_2) / 4)
     closed.append((5 * closed[1] - product * sine_2 * sine_2) / 6)
     square = 1 / (1 + t * t)
-    square_of_ball = square[0] if series else square
-    moments = []
-    for k, value in enumerate(closed, start=1):
-        moment = value - square_of_ball ** (k + 1) * (ball - centre)
-        if series:
-            moment = moment - (square ** (k + 1) * t.derivative()).integral()
-        moments.append(moment)
-    return moments
+    return [
+        value - square[0] ** power * (t[0] - centre) - (square**power * t.derivative()).integral()
+        for power, value in enumerate(closed, start=2)
+    ]
 
 
 def determinant(rows: list[list[Any]]) -> Any:
@@ -130,6 +124,21 @@ def times(f: Coefficients, g: Coefficients) -> list[Any]:
         for k, b in enumerate(g):
             found[i + k] = found[i + k] + a * b
     return found
+
+
+def with_slopes(x: Any, function: Callable[[arb_series], Sequence[arb_series]]) -> tuple[Any, ...]:
+    """A function that takes two derivatives by its argument, of a ball or a series x.
+
+    It is given a series that begins where x does, and is two coefficients longer.
+    """
+    is_ball = isinstance(x, arb)
+    start, step, length = (x, arb(1), 1) if is_ball else (x[0], x[1] if ctx.cap > 1 else arb(0), ctx.cap)
+    before, ctx.cap = ctx.cap, length + 2
+    found = function(arb_series([start, 1]))
+    ctx.cap = before
+    if is_ball:
+        return tuple(one[0] for one in found)
+    return tuple(arb_series([one[j] * step**j for j in range(length)]) for one in found)
 
 
 def plus(*polynomials: Coefficients) -> list[Any]:
@@ -227,66 +236,44 @@ class Oscillator:
         """The restoring force of the attached piece at u, vertical spring included."""
         return arb(self.alpha) * u + arb(self.beta) * u**3 + arb(self.gamma) * u**5
 
-    def attached(self, A: Any) -> tuple[Any, Any, Any, Any]:
-        """h, h', h'', h''' for A <= u_cr; A a ball, a Taylor polynomial, or the variable of a rational polynomial."""
+    def attached(self, A: Any) -> Any:
+        """h for A <= u_cr; A a Taylor polynomial, or the variable of a rational one."""
         a, b, c = self.alpha, 3 * self.beta / 4, 5 * self.gamma / 8
         if not isinstance(A, fmpq_poly):
             a, b, c = arb(a), arb(b), arb(c)
-        A2 = A * A
-        return (
-            -A * (a + A2 * (b + A2 * c)),
-            -(a + A2 * (3 * b + A2 * (5 * c))),
-            -A * (6 * b + A2 * (20 * c)),
-            -(6 * b + A2 * (60 * c)),
-        )
+        square = A * A
+        return -A * (a + square * (b + square * c))
 
-    def detached(self, t: Any) -> tuple[Any, Any, Any, Any]:
-        """A, h, t h', t^3 h'' at A = u_cr sqrt(1 + t^2), analytic in t >= 0.
+    def average(self, A: arb_series, t: arb_series) -> arb_series:
+        """h for A = u_cr sqrt(1 + t^2).
 
         The force beyond the vertical spring's u acts for |sin| <= u_cr/A = sin(theta) only, so that
         h = -A - (4/pi) int_0^theta F_k(A sin x) sin x dx with moments M_2k = int_0^theta sin^2k.
         """
-        u, pi = self.u_cr, arb.pi()
         a, b, c = arb(self.alpha) - 1, arb(self.beta), arb(self.gamma)
-        t2 = t * t
-        A = u * (1 + t2).sqrt()
-        A2 = A * A
-        M_2, M_4, M_6 = _moments(t)
-        force, slope = u * (a + u**2 * (b + u**2 * c)), a + u**2 * (3 * b + u**2 * (5 * c))
-        h = -A - (4 / pi) * A * (a * M_2 + A2 * (b * M_4 + A2 * (c * M_6)))
-        moments = a * M_2 + A2 * (3 * b * M_4 + A2 * (5 * c * M_6))
-        g = -t - (4 / pi) * (t * moments - force * u / A2)
-        k = -(4 / pi) * (
-            t2 * t * A * (6 * b * M_4 + 20 * c * A2 * M_6)
-            - slope * u * u * t2 / (A2 * A)
-            + force * (2 * u * t2 / (A2 * A) + 1 / (u * A))
-        )
-        return A, h, g, k
+        square, (M_2, M_4, M_6) = A * A, _moments(t)
+        return -A - (4 / arb.pi()) * A * (a * M_2 + square * (b * M_4 + square * (c * M_6)))
 
-    def third_derivative(self, A: arb) -> arb:
-        """h''' for A > u_cr."""
-        u, pi = self.u_cr, arb.pi()
-        a, b, c = arb(self.alpha) - 1, arb(self.beta), arb(self.gamma)
-        w = (A * A - u * u).sqrt()
-        _, M_4, M_6 = _moments(w / u)
-        force, slope = u * (a + u**2 * (b + u**2 * c)), a + u**2 * (3 * b + u**2 * (5 * c))
-        return -(4 / pi) * (
-            6 * b * M_4
-            + 60 * c * A**2 * M_6
-            - (u / (w * A)) * (6 * b * u**4 / A**3 + 20 * c * u**6 / A**3)
-            + slope * u**3 * (3 / (A**4 * w) + 1 / (A**2 * w**3))
-            - force * u**2 * (6 / (A**4 * w) + 3 / (A**2 * w**3) + 3 / w**5)
-        )
+    def detached(self, t: Any) -> tuple[Any, Any, Any, Any]:
+        """A, h, t h', t^3 h'' at A = u_cr sqrt(1 + t^2), analytic in t >= 0, as A' is u_cr t/sqrt(1 + t^2)."""
+
+        def slopes(t: arb_series) -> tuple[arb_series, ...]:
+            long = (1 + t * t).sqrt()
+            h = self.average(self.u_cr * long, t)
+            g = h.derivative() * long / self.u_cr
+            return self.u_cr * long, h, g, (t * g.derivative() - g) * long / self.u_cr
+
+        return with_slopes(t, slopes)
 
     def h(self, A: arb, regime: str) -> tuple[arb, arb, arb, arb]:
         """h, h', h'', h''' at a ball A on the given side of the corner (the corner itself counts as attached)."""
-        if regime != DETACHED:
-            return self.attached(A)
-        t = self.t(A)
-        _, h, g, k = self.detached(t)
-        return h, g / t, k / t**3, self.third_derivative(A)
+        before, ctx.cap = ctx.cap, 4
+        at = arb_series([A, 1])
+        h = self.average(at, self.t(at)) if regime == DETACHED else self.attached(at)
+        ctx.cap = before
+        return h[0], h[1], 2 * h[2], 6 * h[3]
 
-    def t(self, A: arb) -> arb:
+    def t(self, A: Any) -> Any:
         """The parameter of A = u_cr sqrt(1 + t^2)."""
         return (A * A - self.u_cr**2).sqrt() / self.u_cr
 
@@ -435,8 +422,8 @@ class Oscillator:
     ) -> list[tuple[arb, str]]:
         """All zeros in A of function(jet): attached by exact polynomials, detached up to t_max by enclosure."""
         A = fmpq_poly([0, 1])
-        h, h_A, h_AA, _ = self.attached(A)
-        polynomial = function(Jet(A, h, h_A, h_AA, fmpq_poly([1])))
+        h = self.attached(A)
+        polynomial = function(Jet(A, h, h.derivative(), h.derivative().derivative(), fmpq_poly([1])))
         attached = []
         if polynomial.degree() > 0:
             for root in polynomial_roots(polynomial, BITS):

@@ -34,7 +34,7 @@ from typing import Any
 from flint import arb, arb_series, ctx
 
 from tests.files import store
-from tests.oracles.averaged import ATTACHED, BITS, DETACHED, Jet, Point, digits, exact
+from tests.oracles.averaged import ATTACHED, BITS, DETACHED, Jet, Point, digits, exact, with_slopes
 from tests.oracles.certified_roots import isolate, precision
 from tests.oracles.conditioning import Conditioning
 from tests.oracles.make_random_isolators import SEED, answered, encoded, log_uniform, row
@@ -364,17 +364,11 @@ class Curved(Parametrized):
         return value
 
     def at(self, x: Any) -> tuple[Any, ...]:
-        is_ball = isinstance(x, arb)
-        start, step, length = (x, arb(1), 1) if is_ball else (x[0], x[1] if ctx.cap > 1 else arb(0), ctx.cap)
-        before, ctx.cap = ctx.cap, length + 2
-        A = arb_series([start, 1])
-        h = -2 * A * self.stiffness(start)
-        h_A = h.derivative()
-        found = [A, h, h_A, h_A.derivative(), arb_series([1])]
-        ctx.cap = before
-        if is_ball:
-            return tuple(one[0] for one in found)
-        return tuple(arb_series([one[j] * step**j for j in range(length)]) for one in found)
+        def slopes(A: arb_series) -> tuple[arb_series, ...]:
+            h = -2 * A * self.stiffness(A[0])
+            return A, h, h.derivative(), h.derivative().derivative(), arb_series([1])
+
+        return with_slopes(x, slopes)
 
     def apart(self, x: arb_series) -> arb:
         before, ctx.cap = ctx.cap, 2

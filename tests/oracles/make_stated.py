@@ -36,7 +36,18 @@ from typing import Any
 from flint import acb, acb_series, arb, arb_series, ctx
 
 from tests.files import store
-from tests.oracles.averaged import ATTACHED, BITS, CORNER, DETACHED, Jet, Oscillator, Point, _sign, exact
+from tests.oracles.averaged import (
+    ATTACHED,
+    BITS,
+    CORNER,
+    DETACHED,
+    Jet,
+    Oscillator,
+    Point,
+    _sign,
+    exact,
+    with_slopes,
+)
 from tests.oracles.certified_roots import isolate, precision
 from tests.oracles.conditioning import Conditioning
 from tests.oracles.make_random_isolators import SEED, answered, encoded, log_uniform, row
@@ -321,42 +332,32 @@ class Stated(Oscillator):
 
     def _jet(self, piece: Piece, x: arb_series) -> Jet:
         """A, h and its derivatives as series, from those of the piece and a bound of what was left off."""
-        length = ctx.cap
-        start, step = x[0], x[1] if length > 1 else arb(0)
-        ctx.cap = length + 2
-        own = arb_series([start, 1])
-        off = own - piece.centre
         at_0 = piece.in_t and piece.centre == 0
-        last = LENGTH if not at_0 else LENGTH - 2
         left = 2 * piece.bound * arb(2) ** -LENGTH
 
-        def value(coefficients: list[arb], left: arb) -> arb_series:
+        def value(own: arb_series, coefficients: list[arb], left: arb) -> arb_series:
             total = arb_series([0])
             for one in reversed(coefficients):
-                total = total * off + one
-            tail = [arb(0, (left * (4 / piece.radius) ** j).upper()) for j in range(length + 2)]
-            return total + arb_series(tail)
+                total = total * (own - piece.centre) + one
+            return total + arb_series([arb(0, (left * (4 / piece.radius) ** j).upper()) for j in range(ctx.cap)])
 
-        h = value(piece.coefficients, left)
-        if not piece.in_t:
-            A = own
-            h = h + self._power(own)
-            g = h.derivative()
-            k, w = g.derivative(), arb_series([1])
-        else:
+        def slopes(own: arb_series) -> tuple[arb_series, ...]:
+            h = value(own, piece.coefficients, left)
+            if not piece.in_t:
+                h = h + self._power(own)
+                return own, h, h.derivative(), h.derivative().derivative(), arb_series([1])
             long = (1 + own * own).sqrt()
-            A = self.u_cr * long
             if at_0:  # h_t/t, whose first coefficient is that of t^2: h_A is finite at t = 0
-                turned = [(j + 2) * piece.coefficients[j + 2] for j in range(last)]
-                quotient = value(turned, 4 * (LENGTH + 1) * left / piece.radius**2)
+                turned = [(j + 2) * piece.coefficients[j + 2] for j in range(LENGTH - 2)]
+                quotient = value(own, turned, 4 * (LENGTH + 1) * left / piece.radius**2)
             else:
                 quotient = h.derivative() / own
             g = quotient * long / self.u_cr
-            k, w = g.derivative() * long / self.u_cr, own
-        ctx.cap = length
-        scaled = [arb_series([one[j] * step**j for j in range(length)]) for one in (A, h, g, k, w)]
-        jet = Bent(*scaled[:4], arb_series([1]))
-        jet.w = scaled[4]
+            return self.u_cr * long, h, g, g.derivative() * long / self.u_cr, own
+
+        *known, w = with_slopes(x, slopes)
+        jet = Bent(*known, arb_series([1]))
+        jet.w = w
         return jet
 
     # ---- where zeros can be ---------------------------------------------------------------------------------------
