@@ -61,8 +61,8 @@ class Conditioning:
         on_corner, step = p.regime == CORNER, arb(STEP)
         known = {"Omega": Omega, "A": p.A, "F_0": F_0}
 
-        def residual(of: Oscillator, moved: str = "") -> list[arb]:
-            at = {name: value * (1 + step) if name == moved else value for name, value in known.items()}
+        def residual(of: Oscillator, larger: str = "") -> list[arb]:
+            at = {name: value * (1 + step) if name == larger else value for name, value in known.items()}
             values = of.derivatives(at["Omega"], of.u_cr if on_corner else at["A"], p.regime, at["F_0"])
             return [values[name] for name in vanish]
 
@@ -81,13 +81,13 @@ class Conditioning:
                 for k, name in enumerate(unknowns)
             }
 
-        given = [name for name in known if name not in unknowns and name != "A"]
-        inputs = [*map(residual, self.neighbours), *(residual(self.oscillator, name) for name in given)]
+        fixed = [name for name in known if name not in unknowns and name != "A"]
+        inputs = [*map(residual, self.neighbours), *(residual(self.oscillator, name) for name in fixed)]
         kernels = map(residual, with_kernels(self.oscillator, p.A, p.regime))
         found = Condition(total(changes(*inputs)), total(changes(*kernels)))
         if on_corner:
-            moves = (abs(of.u_cr / self.oscillator.u_cr - 1) for of in self.neighbours)
-            found.inputs["A"], found.kernel["A"] = float((sum(moves, arb(0)) / step).mid()), 0.0
+            of_corner = (abs(of.u_cr / self.oscillator.u_cr - 1) for of in self.neighbours)
+            found.inputs["A"], found.kernel["A"] = float((sum(of_corner, arb(0)) / step).mid()), 0.0
         return found
 
     def fold(self, p: Point) -> Condition:

@@ -45,14 +45,14 @@ def roots(kind: str, parameters: tuple[float, ...]) -> list[tuple[arb, float]]:
     ctx.prec = BITS
     exact = [Fraction(value) for value in parameters]
     poly = _polynomial(kind, exact)
-    moved = [_polynomial(kind, [*exact[:k], x * (1 + STEP), *exact[k + 1 :]]) for k, x in enumerate(exact)]
+    neighbours = [_polynomial(kind, [*exact[:k], x * (1 + STEP), *exact[k + 1 :]]) for k, x in enumerate(exact)]
     found: list[tuple[arb, float]] = []
     for root, multiplicity in poly.complex_roots():
         if root.imag != 0 or not root.real > 0:
             continue
         kappa = float("inf")
         if multiplicity == 1:
-            changes = sum((abs(arb_poly(one - poly)(root.real)) for one in moved), arb(0)) * STEP.denominator
+            changes = sum((abs(arb_poly(one - poly)(root.real)) for one in neighbours), arb(0)) * STEP.denominator
             kappa = float(changes / abs(root.real * arb_poly(poly.derivative())(root.real)))
         found += [(root.real, kappa)] * multiplicity
     return sorted(found, key=lambda pair: float(pair[0]))
