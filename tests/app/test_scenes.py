@@ -308,7 +308,9 @@ def test_explain_and_check_say_what_run_refuses(scene, capsys):
         MOUNT.partition("[ask]")[0]
         + 'eta = 0.02\n[ask]\nF = [3.0]\nquestions = ["transient", "random", "detachment"]\n'
     )
-    path = scene(text + "[shock]\nacceleration = 10\nduration = 0.01\n[psd]\nf = [1, 5]\nG = [1e-4, 1e-4]\n")
+    path = scene(
+        text + "[shock]\nacceleration = 10\nduration = 0.01\n[psd]\nf = [1, 5]\nG = [1e-4, 1e-4]\nunit = 'g^2/Hz'\n"
+    )
     code, _, err = run("run", path, capsys=capsys)
     assert code == 1 and "structural damping is defined at one frequency" in err
     code, out, _ = run("explain", path, capsys=capsys)
@@ -365,6 +367,35 @@ def test_check_refuses_what_run_refuses_word_for_word(table):
     required = {name: why for name, why in checked.items() if name.startswith(scenes.REQUIREMENTS)}
     assert {name: why for name, why in checked.items() if name not in required} == refused != {}
     assert all(why in outcome.message for why in required.values())
+
+
+@pytest.mark.parametrize("target", ["scene.toml", "folder", "none/report.html"])
+def test_output_that_cannot_be_written_is_refused_before_work(target, scene, tmp_path, monkeypatch, capsys):
+    pytest.importorskip("matplotlib")
+    path = scene(MOUNT + "[require]\njumps = 'none'\n[free]\nzeta = [0.02, 0.5]\n")
+    (tmp_path / "folder").mkdir()
+    monkeypatch.setattr(scenes.Scene, "ask", lambda *_, **__: pytest.fail("it was answered"))
+    before, target = {one: one.is_dir() or one.read_bytes() for one in tmp_path.iterdir()}, tmp_path / target
+    for command in (("report", path, "-o"), ("meet", path, "-o"), ("run", path, "-o", tmp_path / "new", "--report")):
+        code, out, err = run(*command, target, capsys=capsys)
+        assert (code, out) == (2, "") and err.startswith(f"{target}") and "Errno" not in err
+    assert {one: one.is_dir() or one.read_bytes() for one in tmp_path.iterdir()} == before
+
+
+def test_a_shock_of_a_scene_has_a_direction(scene):
+    """Under a load, the centre is not in the middle of the springs' range."""
+    text = MOUNT.partition("[ask]")[0] + "load = 13\n[ask]\nquestions = ['transient']\n"
+    found = scenes.read(scene(text + "[shock]\nacceleration = [20, '-2 g']\nduration = 0.011\n"))
+    up, down = (found.answer(query).A for query in found.queries)
+    mount = Isolator.physical(**{**found.oscillator.given})
+    assert down == 1e3 * mount.transient(acceleration=-2 * 9.80665, duration=0.011).A != up
+
+
+def test_cusps_of_a_cubic_spring_are_asked_up_to_an_amplitude(scene):
+    text = "[spring]\nm = 12\nk_1 = 2500\nk_3 = 1e5\nzeta = 0.02\n[ask]\nquestions = 'cusps'\n"
+    (query,) = (found := scenes.read(scene(text + "A_max = '80 mm'\n"))).queries
+    mount = Duffing.physical(m=12, k_1=2500, k_3=1e5, zeta=0.02)
+    assert found.answer(query) == mount.cusps(A_max=0.08).in_units() and str(query) == "cusps at A_max = 80 mm"
 
 
 def test_a_report_that_cannot_be_made_says_why(scene, capsys):
@@ -518,7 +549,7 @@ def test_a_file_that_cannot_be_read_is_named(tmp_path, capsys):
     (tmp_path / "taken").write_text("")
     (tmp_path / "scene.toml").write_text(MOUNT)
     code, out, err = run("run", tmp_path / "scene.toml", "-o", tmp_path / "taken", capsys=capsys)
-    assert (code, out) == (2, "") and err.endswith(f"{tmp_path / 'taken'}: File exists\n")
+    assert (code, out) == (2, "") and err.startswith(f"{tmp_path / 'taken'} is a file")
     (tmp_path / "bytes.toml").write_bytes(b"\xff\xfe")
     assert run("run", tmp_path / "bytes.toml", capsys=capsys)[0] == 2
 

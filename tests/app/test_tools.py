@@ -104,6 +104,7 @@ REFUSED = {
     "a word": ("peak", {"mount": {**MOUNT, "force": "truncatd"}, "ask": {"F": 1}}, "'truncated'"),
     "no oscillator": ("cusps", {}, "needs one of [mount], [spring], [isolator], [duffing], has 0"),
     "no frequency": ("amplitudes", {"mount": MOUNT, "ask": {"F": 1}}, "f is missing"),
+    "no table": ("peak", {"mount": MOUNT, "ask": None}, "[ask] a table is missing"),
     "no such tool": ("jumps", {"mount": MOUNT}, "must be one of detachment"),
 }
 

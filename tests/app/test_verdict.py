@@ -19,7 +19,7 @@ report = Lazily("slowflow.app.report")
 LINEAR = {"m": 10.0, "k_v": 4000.0, "k_h": 1000.0, "L": 0.1, "preload": 0.0, "zeta": 0.1}
 f_n = 20.0 / math.tau
 SHOCK = "[shock]\nacceleration = [10, 30]\nduration = [0.011]\n"
-PSD = "[psd]\nf = [1.0, 5.0, 100.0]\nG = [1e-4, 1e-4, 2.5e-7]\n"
+PSD = "[psd]\nf = [1.0, 5.0, 100.0]\nG = [1e-4, 1e-4, 2.5e-7]\nunit = 'g^2/Hz'\n"
 
 
 def scene(tmp_path, required, more="", parameters=LINEAR, F="F = [5.0]\n", kind="mount"):
@@ -279,6 +279,15 @@ RANGES = "jumps = 'none'\n[free]\n"
         ("relative_displacement = { below = 1, under = 'shock' }", "needs .shock."),
         ("absolute_acceleration = { below = 1, under = 'peak' }", "under"),
         (f"relative_displacement = {{ below = 1, under = 'random' }}\n{PSD}", "rms = true, or for a displacement the"),
+        ("relative_displacement = { below = 1, under = [] }", "under must have some of peak, shock, random"),
+        ("relative_displacement = { below = 1, under = 'peak', rms = 'yes' }", "rms = 'yes' is not allowed"),
+        ("relative_displacement = { below = 1, under = 'peak', rms = true }", "is of 'random' only"),
+        ("relative_displacement = { below = 1, under = 'peak', duration = 1 }", "is of 'random' only"),
+        (
+            f"relative_displacement = {{ below = 1, under = 'random', rms = true, duration = 1 }}\n{PSD}",
+            "rms = true or a duration, one of them",
+        ),
+        ("", "is empty: it must have some of jumps, detachment"),
     ),
 )
 def test_what_a_requirement_must_be_is_told_with_its_line(tmp_path, required, message):

@@ -41,8 +41,20 @@ def write(path: Path, text: str) -> None:
         raise
 
 
+def check_target(path: Path, source: Path) -> None:
+    """Raise Refused for a file that cannot be written, or is the input file, before anything is computed."""
+    if path.resolve() == source.resolve():
+        raise Refused(f"{path} is the input file and would be overwritten: write to another file")
+    if path.is_dir():
+        raise Refused(f"{path} is a folder: the name of a file is needed")
+    if not path.parent.is_dir():
+        raise Refused(f"{path}: there is no folder {path.parent}")
+
+
 def written(folder: Path, names: Sequence[str]) -> list[Path]:
     """Which of these files slowflow wrote into a folder. Raises Refused for one that is not as its record has it."""
+    if folder.exists() and not folder.is_dir():
+        raise Refused(f"{folder} is a file: the name of a folder is needed")
     try:
         recorded = json.loads((folder / RECORD).read_text(encoding="utf-8"))["files"]
     except (OSError, ValueError, LookupError, TypeError):

@@ -19,7 +19,8 @@ import slowflow
 from slowflow.answers import files
 from slowflow.answers.answer import Answer, in_text
 from slowflow.app import costs, verdict
-from slowflow.app.scenes import QUESTIONS, Query, Scene, read
+from slowflow.app.query import QUESTIONS, Query
+from slowflow.app.scenes import Scene, read
 from slowflow.core import backend
 from slowflow.oscillators.isolator import ROD_SPRING
 from slowflow.support import progress
@@ -80,10 +81,12 @@ def run_scene(args: argparse.Namespace) -> int:
 
     Exit code 1 if a question has no answer, 3 if all have one and a requirement is not met.
     """
-    if args.report is not None and not _can_draw():
-        return 2
+    # before anything is computed: these refuse
+    if args.report is not None:
+        files.check_target(args.report, args.scene)
+        if not _can_draw():
+            return 2
     scene = _read(args.scene)
-    # before anything is computed: it refuses
     earlier = [] if args.out is None else files.written(args.out, [f"{question}.csv" for question in QUESTIONS])
     answers: list[tuple[Query, Answer]] = []
     failed = []
@@ -136,6 +139,8 @@ def meet_scene(args: argparse.Namespace) -> int:
     Exit code 3 if no design meets them: the one with the smallest violation is returned.
     """
     scene = _read(args.scene)
+    if args.out is not None:
+        files.check_target(args.out, args.scene)
     with _progress(args.quiet):
         found, changed = verdict.meet(scene)
         outcome = verdict.verdict(changed)
@@ -292,6 +297,7 @@ def _quantity(text: str) -> float | str:
 
 def write_report(args: argparse.Namespace) -> int:
     """Write the report of a scene; 2 where it cannot be made."""
+    files.check_target(args.out, args.scene)
     if not _can_draw():
         return 2
     return _report(_read(args.scene), args.out, args.quiet)

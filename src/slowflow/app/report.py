@@ -23,7 +23,8 @@ from slowflow.answers.quantities import DATA_SHEET, SHEET, SHOWN, UNITS, in_show
 from slowflow.answers.results import Remark
 from slowflow.answers.table import COLUMNS, IN_TIME
 from slowflow.answers.validity import IN_PYTHON, is_measured
-from slowflow.app.scenes import FORCINGS, Query, Scene
+from slowflow.app.query import FORCINGS, Query
+from slowflow.app.scenes import Scene
 from slowflow.app.verdict import in_words, verdict
 from slowflow.core.validate import NotAvailable
 from slowflow.oscillators.isolator import Isolator

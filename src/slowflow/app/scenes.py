@@ -15,6 +15,7 @@
                                 # of an "unbalance" U in kg m
     f = [5.0]                   # Hz; Omega for [isolator] and [duffing]
     level_dB = [0, -20]         # for "isolation": transmissibility below which it stays
+    A_max = 0.08                # m, for "fold_locus", "cusps" and "isola_points": the largest amplitude
     questions = ["saddle_nodes", "amplitudes", "spectrum"]
 
     [spectrum]                  # pairs, one tone at a time
@@ -25,13 +26,13 @@
     k_h = 0.05                  # with each f, in the [spectrum] and in each half sine of the [shock], if specified
 
     [shock]                     # for "transient" and "shock_spectrum": half sines of the base, all combinations
-    acceleration = [20.0]       # m/s^2
+    acceleration = [20.0]       # m/s^2; of either sign for "transient"
     duration = [0.011, 0.02]    # s; for one record t instead, its times (tau without dimensions)
 
     [psd]                       # for "random": a one-sided power spectral density, linear in log-log
     f = [1, 5, 100]             # Hz; Omega for a dimensionless oscillator, without unit
     G = [1e-4, 1e-4, 2.5e-7]
-    unit = "g^2/Hz"             # or "(m/s^2)^2/Hz", of the base; "N^2/Hz", of a force
+    unit = "g^2/Hz"             # or "(m/s^2)^2/Hz", of the base; "N^2/Hz", of a force; needed in SI units
 
     [loop]                      # for the report: a force-displacement loop, measured on one mount
     file = "loop.csv"           # columns x in m, F in N; t in s, for viscous damping
@@ -56,7 +57,6 @@ from __future__ import annotations
 
 import contextlib
 import hashlib
-import inspect
 import itertools
 import os
 import re
@@ -69,10 +69,21 @@ from pathlib import Path
 from typing import Any
 
 from slowflow.answers.answer import Answer, shown
-from slowflow.answers.quantities import DENSITIES, EXCITED, LETTERS, OF_A_BASE, SHOWN, SI, UNITS, si
-from slowflow.answers.table import COLUMNS, SHOCKS
-from slowflow.answers.table import QUESTIONS as ROWS
+from slowflow.answers.quantities import DENSITIES, EXCITED, OF_A_BASE, SI, si
+from slowflow.answers.table import SHOCKS
 from slowflow.app import costs
+from slowflow.app.query import (
+    FORCINGS,
+    FREQUENCIES,
+    KINDS,
+    NO_NUMBERS,
+    OF_A_LOOP,
+    OF_A_PULSE,
+    OF_MOUNT,
+    QUESTIONS,
+    Kind,
+    Query,
+)
 from slowflow.app.verdict import AMOUNTS, NONE, REQUIREMENTS, TRANSMISSIBILITY, Requirement, kind_of
 from slowflow.averaged import plan
 from slowflow.averaged.plan import Plan
@@ -87,141 +98,10 @@ from slowflow.support.errors import Refused, SceneError
 __all__ = ["Kind", "Query", "Scene", "from_tables", "read"]
 
 
-def _takes(question: str) -> frozenset[str]:
-    """What the method of this name takes without dimensions, but of a frequency that it need not be given "window"."""
-    parameters = inspect.signature(getattr(Isolator, question)).parameters.values()
-    return frozenset(
-        "window" if one.name == "Omega" and one.default is not one.empty else one.name for one in parameters
-    )
-
-
-#: what a scene may ask, and what that takes: those of the table but proofs, which a certificate has, tolerances, and
-#: what many designs are not asked
-QUESTIONS: Mapping[str, frozenset[str]] = {
-    **{name: _takes(name) for name in ROWS if name != "certify"},
-    "tolerances": frozenset(),
-    **{name: _takes(name) for name in ("exact_response", "fold_locus", "cusps", "isola_points")},
-}
-
-
-@dataclass(frozen=True)
-class Kind:
-    """A table that defines an oscillator.
-
-    make               -- function of its keys that makes the oscillator
-    forcing, frequency -- names of the keys in [ask], and of the methods' arguments
-    time               -- name of the times of a record
-    """
-
-    make: Callable[..., Any]
-    forcing: str = "F_0"
-    frequency: str = "Omega"
-    time: str = "tau"
-
-    @property
-    def in_si(self) -> bool:
-        """Whether its numbers are in SI units."""
-        return self.frequency == "f"
-
-    @property
-    def keys(self) -> tuple[str, ...]:
-        """The allowed keys."""
-        return tuple(inspect.signature(self.make).parameters)
-
-    @property
-    def needed(self) -> tuple[str, ...]:
-        """The required keys."""
-        parameters = inspect.signature(self.make).parameters
-        return tuple(name for name, one in parameters.items() if one.default is inspect.Parameter.empty)
-
-
-KINDS = {
-    "mount": Kind(Isolator.physical, "F", "f", "t"),
-    "spring": Kind(Duffing.physical, "F", "f", "t"),
-    "isolator": Kind(Isolator),
-    "duffing": Kind(Duffing),
-}
-#: keys of these that are no numbers with a tolerance
-NO_NUMBERS = ("load", "force", "excitation", "contact", "mu_s", "static_friction")
-#: what the amplitude of an excitation is called
-FORCINGS = (*LETTERS, "F_0")
-#: of which kind the arguments of a mount's questions are
-OF_MOUNT = {one.si or one.name: one.kind for one in COLUMNS.values()}
-OF_MOUNT |= {**dict(EXCITED.values()), "x": "length"}
-#: names of the frequency
-FREQUENCIES = ("f", "Omega")
 #: tables whose columns a CSV file may have
 OF_FILES = ("spectrum", "shock", "psd", "loop")
-#: columns of a measured loop, of which the times may be left out
-OF_A_LOOP = ("x", "F", "t")
 #: of a base that moves, in reports and above the tables of answers
 RELATIVE = "displacements are relative to the base; transmissibility and acceleration are those of the absolute motion"
-#: what a half sine of the base is given by
-OF_A_PULSE = ("acceleration", "duration")
-
-
-@dataclass(frozen=True)
-class Query:
-    """One question of a scene, with forcing and frequencies by the names of the arguments.
-
-    kinds -- for a mount, the kinds of unit of these: keys of `quantities.UNITS`
-    """
-
-    question: str
-    arguments: Mapping[str, Any]
-    kinds: Mapping[str, str] = field(default_factory=dict)
-
-    @property
-    def forcing(self) -> float | None:
-        """The forcing, if it has one."""
-        known = (value for name, value in self.arguments.items() if name in FORCINGS and isinstance(value, float))
-        return next(known, None)
-
-    def numbers(self) -> dict[str, float]:
-        """The arguments that are single numbers (forcing, pulse), in the units of printed answers."""
-        pulse = zip(OF_A_PULSE, self.arguments.get("shock", ()), strict=False)
-        found = {name: value for name, value in (*self.arguments.items(), *pulse) if isinstance(value, float)}
-        sizes = {name: UNITS[kind][SHOWN[kind]] for name, kind in self.kinds.items()}
-        return {name: value / sizes.get(name, 1.0) for name, value in found.items()}
-
-    def units(self) -> dict[str, str]:
-        """Units of `numbers`, by the names of the arguments."""
-        return {name: SHOWN[kind] for name, kind in self.kinds.items()}
-
-    def given_in(self) -> dict[str, str]:
-        """SI units of the arguments, by name; the two arguments of a pair have one each."""
-        pairs = {"shock": OF_A_PULSE, "spectrum": [name for name in self.kinds if name in (*LETTERS, "f")]}
-        names = [part for name in self.arguments for part in pairs.get(name, [name])]
-        return {name: SI[self.kinds[name]] for name in names if name in self.kinds}
-
-    def count(self) -> int:
-        """Number of answers: one for each frequency, row of a spectrum, pulse of a shock spectrum."""
-        if self.question == "amplitudes":
-            return next(len(values) for name, values in self.arguments.items() if name in FREQUENCIES)
-        if self.question == "shock_spectrum":
-            return len(self.arguments["acceleration"]) * len(self.arguments["duration"])
-        rows = self.arguments.get("spectrum", self.arguments.values() if self.question == "spectrum" else [[None]])
-        return len(next(iter(rows)))
-
-    @property
-    def cost(self) -> str:
-        """Key of its measured time in `costs.COSTS`: the question, and for tolerances the load case."""
-        if self.question != "tolerances":
-            return self.question
-        of = {"spectrum": "in a spectrum", "shock": "in a shock", **dict.fromkeys(FREQUENCIES, "at a frequency")}
-        return next((f"tolerances {case}" for name, case in of.items() if name in self.arguments), "tolerances")
-
-    def content(self, answer: Answer) -> dict[str, Any]:
-        """Query and answer, as plain Python."""
-        what = {"question": self.question, "arguments": dict(self.arguments), "units_of_arguments": self.given_in()}
-        return {**what, **answer.to_dict()}
-
-    def __str__(self) -> str:
-        units = self.units()
-        text = ", ".join(f"{name} = {value:g} {units.get(name, '')}".rstrip() for name, value in self.numbers().items())
-        if "spectrum" in self.arguments:
-            return f"{self.question} in the load spectrum"
-        return f"{self.question} at {text}" if text else self.question
 
 
 @dataclass(frozen=True)
@@ -374,63 +254,121 @@ def _with_columns(path: Path, name: str, table: Any) -> Any:
     return {**own, **unit, **{key: column.tolist() for key, column in columns.items()}}
 
 
-@dataclass(frozen=True)
+@dataclass
 class _Reader:
+    """Reads the tables of a scene, each once, whether or not a question needs it."""
+
     path: Path
     text: str
     content: dict[str, Any]
+    kind: Kind = field(init=False)
+    tables: dict[str, Any] = field(init=False)
 
     def scene(self) -> Scene:
-        self._known(
-            "", self.content, (*KINDS, "ask", "spectrum", "tolerances", "shock", "psd", "loop", "require", "free")
-        )
+        reads = {"ask": self._ask, "spectrum": self._spectrum, "tolerances": self._within, "shock": self._pulses}
+        reads |= {"psd": self._psd, "loop": self._loop}
+        self._known("", self.content, (*KINDS, *reads, "require", "free"))
         stated = [name for name in KINDS if name in self.content]
         if len(stated) != 1:
             one_of = ", ".join(f"[{name}]" for name in KINDS)
             raise self._error(stated[-1] if stated else "", "", f"needs one of {one_of}, has {len(stated)}")
         (name,) = stated
-        kind, table = KINDS[name], self._table(name)
-        self._known(name, table, kind.keys)
-        if kind.in_si and table.get("excitation") == "base" and self._accelerates():
+        self.kind, table = KINDS[name], self._table(name)
+        self._known(name, table, self.kind.keys)
+        if self.kind.in_si and table.get("excitation") == "base" and self._accelerates():
             table = {**table, "excitation": "acceleration"}
-        if kind.in_si and table.get("excitation") in tuple(EXCITED):
-            kind = replace(kind, forcing=EXCITED[table["excitation"]][0])
+        if self.kind.in_si and table.get("excitation") in tuple(EXCITED):
+            self.kind = replace(self.kind, forcing=EXCITED[table["excitation"]][0])
+        kind = self.kind
         self._complete(name, table, kind.needed)
         # first: what it refuses, as a word for the excitation, decides which keys [ask] has
         with warnings.catch_warnings(record=True) as caught:
             warnings.simplefilter("always")
             oscillator = self._tried(name, table, lambda: kind.make(**table))
-        ask = self._table("ask")
-        self._asks("ask", ask, kind, ("window", "samples", "level_dB", "questions"))
-        if "require" not in self.content:
-            self._complete("ask", ask, ("questions",))
-        if "samples" in ask:
-            self._tried(
-                "ask", ask, lambda: validate.count("samples", ask["samples"], least=2, most=validate.MOST_SAMPLES)
-            )
-        kinds = {key: OF_MOUNT[key] for key in (kind.forcing, kind.frequency, *OF_A_PULSE, kind.time) if kind.in_si}
-        queries = tuple(replace(one, kinds=kinds) for one in self._queries(kind, ask))
+        self._table("ask")
+        self.tables = {name: read(self._table(name)) for name, read in reads.items() if name in self.content}
+        names = (kind.forcing, kind.frequency, *OF_A_PULSE, kind.time, "A_max")
+        kinds = {key: OF_MOUNT[key] for key in names if kind.in_si}
+        queries = tuple(replace(one, kinds=kinds) for one in self._queries())
         remarks = dict.fromkeys((*(str(one.message) for one in caught), *_implausible(oscillator, queries)))
         required: dict[str, Any] = {}
         if "require" in self.content:
-            cases = [one for name in ("shock", "psd") if name in self.content for one in self._case(name, kind)]
-            required["requirements"] = tuple(self._required(kind))
-            required["given_forcings"] = tuple(self._positive(kind.forcing)) if kind.forcing in ask else ()
+            cases = [*self._shocks("transient")] if "shock" in self.tables else []
+            cases += [Query("random", self.tables["psd"])] if "psd" in self.tables else []
+            required["requirements"] = tuple(self._required())
+            required["given_forcings"] = tuple(self.tables["ask"].get(kind.forcing, ()))
             required["cases"] = tuple(replace(one, kinds=kinds) for one in cases)
         if "free" in self.content:
-            required["free"] = self._free(oscillator, kind)
-        if "loop" in self.content:
-            required["loop"] = self._loop(kind)
-        return Scene(self.path, self.text, self.content, oscillator, queries, tuple(remarks), **required)
+            required["free"] = self._free(oscillator)
+        loop = self.tables.get("loop", {})
+        return Scene(self.path, self.text, self.content, oscillator, queries, tuple(remarks), **required, loop=loop)
 
-    def _loop(self, kind: Kind) -> dict[str, list[float]]:
+    def _accelerates(self) -> bool:
+        """Whether a base is given by its acceleration."""
+        return any(isinstance(table := self.content.get(name), dict) and "a" in table for name in ("ask", "spectrum"))
+
+    # ---- tables, each as its questions take it
+
+    def _ask(self, table: Mapping[str, Any]) -> dict[str, Any]:
+        """What questions take, by the names here, and the questions."""
+        reads: dict[str, Callable[[str], Any]] = dict.fromkeys((self.kind.forcing, self.kind.frequency), self._positive)
+        reads |= {"window": self._window, "samples": self._samples, "level_dB": partial(self._numbers, most=0.0)}
+        reads |= {"A_max": self._positive, "questions": self._questions}
+        self._asks("ask", table, tuple(reads)[2:])
+        if "require" not in self.content:
+            self._complete("ask", table, ("questions",))
+        return {key: reads[key](key) for key in table}
+
+    def _spectrum(self, table: Mapping[str, Any]) -> dict[str, Any]:
+        """The pairs of a load spectrum."""
+        names = (self.kind.frequency, self.kind.forcing)
+        self._asks("spectrum", table)
+        self._complete("spectrum", table, names)
+        pairs = {name: self._positive(name, "spectrum") for name in names}
+        lengths = [len(values) for values in pairs.values()]
+        if lengths[0] != lengths[1]:
+            message = f"has {lengths[1]} numbers, and {names[0]} has {lengths[0]}: they are pairs"
+            raise self._error("spectrum", names[1], message)
+        return pairs
+
+    def _pulses(self, table: Mapping[str, Any]) -> dict[str, Any]:
+        """Peaks and durations of half sines, or the samples of a record and their times."""
+        time = self.kind.time
+        self._known("shock", table, (*OF_A_PULSE, time))
+        names = ("acceleration", time) if time in table else OF_A_PULSE
+        self._complete("shock", table, names)
+        rows = {key: (self._positive if key == "duration" else self._numbers)(key, "shock") for key in table}
+        if time in table and ("duration" in table or len(rows["acceleration"]) != len(rows[time])):
+            message = "must have one time for each sample of acceleration, and no duration"
+            raise self._error("shock", time, message)
+        return rows
+
+    def _psd(self, table: Mapping[str, Any]) -> dict[str, Any]:
+        """A spectral density, of a mount in a unit."""
+        names = (self.kind.frequency, "G", *["unit"] * self.kind.in_si)
+        self._known("psd", table, names)
+        self._complete("psd", table, names)
+        rows = {"psd": tuple(self._positive(key, "psd") for key in names[:2])}
+        if not self.kind.in_si:
+            return rows
+        unit = self._tried("psd", table, lambda: validate.choice("unit", table["unit"], tuple(DENSITIES)))
+        return {**rows, "unit": unit}
+
+    def _within(self, table: Mapping[str, Any]) -> dict[str, float]:
+        """Shares of numbers of the oscillator by which these may be off."""
+        self._known("tolerances", table, tuple(key for key in self.kind.keys if key not in NO_NUMBERS))
+        bounds = {"least": 0.0, "below": 1.0}
+        return self._tried(
+            "tolerances", table, lambda: {key: validate.number(key, value, **bounds) for key, value in table.items()}
+        )
+
+    def _loop(self, table: Mapping[str, Any]) -> dict[str, list[float]]:
         """A measured force-displacement loop, in SI units."""
         # here, not above: it imports SciPy
         from slowflow.sizing.fitting import LEAST_SAMPLES
         from slowflow.sizing.samples import in_time
 
-        table = self._table("loop")
-        if not kind.in_si:
+        if not self.kind.in_si:
             raise self._error("loop", "", "needs [mount] or [spring]: a loop is in SI units")
         self._known("loop", table, OF_A_LOOP)
         self._complete("loop", table, OF_A_LOOP[:2])
@@ -438,7 +376,7 @@ class _Reader:
         self._tried("loop", table, lambda: in_time(rows, LEAST_SAMPLES))
         return rows
 
-    def _free(self, oscillator: Any, kind: Kind) -> dict[str, tuple[float, float]]:
+    def _free(self, oscillator: Any) -> dict[str, tuple[float, float]]:
         """The numbers that may change to meet what is required, each with its ends."""
         # here, not above: it imports SciPy
         from slowflow.sizing.subject import Subject
@@ -446,33 +384,24 @@ class _Reader:
         table = self._table("free")
         if not self.content.get("require"):
             raise self._error("free", "", "needs [require], the requirements to meet")
-        self._known("free", table, tuple(key for key in kind.keys if key not in NO_NUMBERS))
+        self._known("free", table, tuple(key for key in self.kind.keys if key not in NO_NUMBERS))
         subject = self._tried("free", table, lambda: Subject(oscillator, table))
         return self._tried("free", table, lambda: {key: subject.ends(key, value) for key, value in table.items()})
 
-    def _accelerates(self) -> bool:
-        """Whether a base is given by its acceleration."""
-        return any(isinstance(table := self.content.get(name), dict) and "a" in table for name in ("ask", "spectrum"))
-
-    def _case(self, name: str, kind: Kind) -> Iterator[Query]:
-        """A load case of requirements beside forcings."""
-        if name == "shock":
-            return self._shocks("transient", kind)
-        return iter([Query("random", self._psd("random", kind))])
-
-    def _required(self, kind: Kind) -> Iterator[Requirement]:
+    def _required(self) -> Iterator[Requirement]:
         """What must hold."""
         table = self._table("require")
         self._known("require", table, REQUIREMENTS)
+        if not table:
+            raise self._error("require", "", f"is empty: it must have some of {', '.join(REQUIREMENTS)}")
         for name, value in table.items():
-            yield self._tried("require", table, partial(self._requirement, kind, name, value))
+            yield self._tried("require", table, partial(self._requirement, name, value))
 
-    def _requirement(self, kind: Kind, name: str, value: Any) -> Requirement:
+    def _requirement(self, name: str, value: Any) -> Requirement:
         """One of them. Raises ValueError for what it must not be, or where its load case is missing."""
-        at_forcings = ("ask", kind.forcing) if kind.forcing in self.content.get("ask", {}) else ()
+        kind, at_forcings = self.kind, self.kind.forcing in self.tables["ask"]
         if name in NONE:
             validate.choice(name, value, ("none",))
-        needs = {"peak": "ask", "shock": "shock", "random": "psd"}
         if name not in AMOUNTS and not at_forcings:
             raise Refused(f"{name} is required at forcings: {kind.forcing} is missing in [ask]")
         if name in NONE:
@@ -485,132 +414,90 @@ class _Reader:
             start_at = validate.number(start, si(start, value[start], SI["frequency"] if kind.in_si else ""), above=0.0)
             return Requirement(name, validate.number("below", value["below"], most=0.0), {"from": start_at})
         under = value["under"] if isinstance(value["under"], list) else [value["under"]]
+        if not under:
+            raise Refused(f"{name} has no load case: under must have some of {', '.join(AMOUNTS[name])}")
+        needs = {"peak": at_forcings, "shock": "shock" in self.tables, "random": "psd" in self.tables}
         for one in under:
             validate.choice("under", one, tuple(AMOUNTS[name]))
-            if needs[one] not in self.content or (one == "peak" and not at_forcings):
-                raise Refused(f"{name} under {one!r} needs [{needs[one]}], with {kind.forcing} for a peak")
-        rms = value.get("rms", False) is True
-        if "random" in under and not rms and (name != "relative_displacement" or "duration" not in value):
+            if not needs[one]:
+                table = {"peak": f"{kind.forcing} in [ask]", "shock": "[shock]", "random": "[psd]"}[one]
+                raise Refused(f"{name} under {one!r} needs {table}")
+        rms, is_timed = value.get("rms", False), "duration" in value
+        if not isinstance(rms, bool):
+            raise Refused(f"{name}: rms = {rms!r} is not allowed: rms must be true or false")
+        if (rms or is_timed) and ("random" not in under or rms == is_timed):
+            raise Refused(f"{name}: rms = true or a duration, one of them, is of 'random' only")
+        if "random" in under and not rms and (name != "relative_displacement" or not is_timed):
             raise Refused(
                 f"{name} under 'random' needs rms = true, or for a displacement the duration whose maximum counts"
             )
         more = {"under": under, "rms": rms}
-        if "duration" in value:
+        if is_timed:
             duration = si("duration", value["duration"], SI["time"] if kind.in_si else "")
             more["duration"] = validate.number("duration", duration, above=0.0)
         below = si("below", value["below"], SI[kind_of(name)]) if kind.in_si else value["below"]
         return Requirement(name, validate.number("below", below, above=0.0), more)
 
-    def _queries(self, kind: Kind, ask: Mapping[str, Any]) -> Iterator[Query]:
-        """The questions with their arguments."""
-        questions = self._list("ask", "questions", str) if "questions" in ask else []
-        for name in questions:
-            if name not in QUESTIONS:
-                message = f"= {name!r} is not allowed: it must be one of {', '.join(QUESTIONS)}"
-                raise self._error("ask", "questions", message, name, QUESTIONS)
-            if name == "tolerances":
-                yield from self._tolerances(name, kind)
-            elif name == "spectrum":
-                yield Query(name, self._spectrum(name, kind))
-            elif name in SHOCKS:
-                yield from self._shocks(name, kind)
-            elif name == "random":
-                yield Query(name, self._psd(name, kind))
-            else:
-                yield from self._plain(name, kind, ask)
+    # ---- questions with their arguments
 
-    def _plain(self, name: str, kind: Kind, ask: Mapping[str, Any]) -> Iterator[Query]:
-        """A question at what [ask] has of that which it takes."""
-        takes = QUESTIONS[name]
-        for key, symbol in ((kind.forcing, "F_0"), (kind.frequency, "Omega")):
+    def _queries(self) -> Iterator[Query]:
+        """The questions with their arguments."""
+        of_tables = {"spectrum": "spectrum", "tolerances": "tolerances", "random": "psd"}
+        of_tables |= dict.fromkeys(SHOCKS, "shock")
+        for name in self.tables["ask"].get("questions", ()):
+            if (table := of_tables.get(name)) not in (None, *self.tables):
+                raise self._error("ask", "questions", f"= {name!r} needs a table [{table}], which is missing")
+            if name == "tolerances":
+                yield from self._tolerances()
+            elif name in SHOCKS:
+                yield from self._shocks(name)
+            else:
+                yield from [Query(name, self.tables[table])] if table else self._plain(name)
+
+    def _plain(self, name: str) -> Iterator[Query]:
+        """A question at what [ask] has of that which it takes, at each forcing, each level and each A_max."""
+        ask, takes = self.tables["ask"], QUESTIONS[name]
+        forcing, frequency = self.kind.forcing, self.kind.frequency
+        for key, symbol in ((forcing, "F_0"), (frequency, "Omega")):
             if symbol in takes and key not in ask:
                 raise self._error("ask", "", f"{key} is missing: {name} needs it")
-        arguments: dict[str, Any] = {kind.frequency: self._positive(kind.frequency)} if "Omega" in takes else {}
-        if "window" in takes and "window" in ask:
-            arguments[kind.frequency] = self._tried("ask", ask, lambda: self._window(kind.frequency, ask["window"]))
-        if "samples" in takes and "samples" in ask:
-            arguments["samples"] = ask["samples"]
-        decibels = self._numbers("level_dB", most=0.0) if "level_dB" in takes and "level_dB" in ask else []
-        levels: list[dict[str, Any]] = [{"level_dB": one} for one in decibels] or [{}]
-        for forcing in self._positive(kind.forcing) if "F_0" in takes else [None]:
-            for level in levels:
-                yield Query(name, {**({} if forcing is None else {kind.forcing: forcing}), **arguments, **level})
+        names = {"F_0": forcing, "Omega": frequency, **{one: one for one in ("level_dB", "A_max", "window", "samples")}}
+        found = {key: ask[key] for symbol, key in names.items() if symbol in takes and key in ask}
+        several = [key for key in (forcing, "level_dB", "A_max") if key in found]
+        for values in itertools.product(*map(found.pop, several)):
+            at = {frequency if key == "window" else key: value for key, value in found.items()}
+            yield Query(name, {**dict(zip(several, values, strict=True)), **at})
 
-    def _spectrum(self, question: str, kind: Kind) -> dict[str, Any]:
-        """The pairs of a load spectrum."""
-        table = self._table("spectrum", question)
-        names = (kind.frequency, kind.forcing)
-        self._asks("spectrum", table, kind)
-        self._complete("spectrum", table, names)
-        pairs = {name: self._positive(name, "spectrum") for name in names}
-        lengths = [len(values) for values in pairs.values()]
-        if lengths[0] != lengths[1]:
-            message = f"has {lengths[1]} numbers, and {names[0]} has {lengths[0]}: they are pairs"
-            raise self._error("spectrum", names[1], message)
-        return pairs
-
-    def _shocks(self, name: str, kind: Kind) -> Iterator[Query]:
+    def _shocks(self, name: str) -> Iterator[Query]:
         """The pulses of a shock: every pair of a peak and a duration, or a record."""
-        table = self._table("shock", name)
-        self._known("shock", table, (*OF_A_PULSE, kind.time))
-        if kind.time in table and name == "transient":
-            self._complete("shock", table, ("acceleration", kind.time))
-            samples = {key: self._numbers(key, "shock") for key in ("acceleration", kind.time)}
-            if "duration" in table or len(samples["acceleration"]) != len(samples[kind.time]):
-                message = "must have one time for each sample of acceleration, and no duration"
-                raise self._error("shock", kind.time, message)
-            yield Query(name, samples)
-            return
-        self._complete("shock", table, OF_A_PULSE)
-        peaks, durations = (self._positive(key, "shock") for key in OF_A_PULSE)
+        pulses = self.tables["shock"]
         if name == "shock_spectrum":
-            yield Query(name, {"acceleration": [[peak] for peak in peaks], "duration": durations})
-            return
-        for peak, duration in itertools.product(peaks, durations):
-            yield Query(name, {"acceleration": peak, "duration": duration})
+            self._complete("shock", pulses, OF_A_PULSE)
+            peaks = self._positive("acceleration", "shock")
+            yield Query(name, {"acceleration": [[peak] for peak in peaks], "duration": pulses["duration"]})
+        elif "duration" not in pulses:
+            yield Query(name, pulses)
+        else:
+            for pair in itertools.product(*(pulses[key] for key in OF_A_PULSE)):
+                yield Query(name, dict(zip(OF_A_PULSE, pair, strict=True)))
 
-    def _psd(self, question: str, kind: Kind) -> dict[str, Any]:
-        """A spectral density, of a mount in a unit."""
-        table = self._table("psd", question)
-        self._known("psd", table, (kind.frequency, "G", *["unit"] * kind.in_si))
-        self._complete("psd", table, (kind.frequency, "G"))
-        rows = tuple(self._positive(key, "psd") for key in (kind.frequency, "G"))
-        if "unit" not in table:
-            return {"psd": rows}
-        allowed = tuple(DENSITIES)
-        return {"psd": rows, "unit": self._tried("psd", table, lambda: validate.choice("unit", table["unit"], allowed))}
-
-    def _tolerances(self, name: str, kind: Kind) -> Iterator[Query]:
+    def _tolerances(self) -> Iterator[Query]:
         """Shares by which numbers may be off: at each forcing, then with each frequency, in the spectrum, in shocks."""
         # here, not above: it imports SciPy
         from slowflow.sizing.subject import AT_A_FREQUENCY, IN_A_SHOCK, IN_A_SPECTRUM
 
-        within = {"within": self._within(name, kind)}
-        ask, spectrum, shock = (self.content.get(table, {}) for table in ("ask", "spectrum", "shock"))
-        forcings = self._positive(kind.forcing) if kind.forcing in ask else []
-        frequencies = self._positive(kind.frequency) if kind.frequency in ask else []
-        for forcing in forcings:
-            yield Query(name, {kind.forcing: forcing, **within})
-            for at in frequencies:
-                yield Query(name, {kind.forcing: forcing, kind.frequency: at, **within, "answers": [*AT_A_FREQUENCY]})
-        if spectrum:
-            pairs = tuple(self._spectrum(name, kind).values())
-            yield Query(name, {"spectrum": pairs, **within, "answers": [*IN_A_SPECTRUM]})
-        if shock and kind.time not in shock:
-            for one in self._shocks("transient", kind):
-                pulse = tuple(one.arguments[key] for key in OF_A_PULSE)
-                yield Query(name, {"shock": pulse, **within, "answers": [*IN_A_SHOCK]})
-        if not (forcings or spectrum or shock):
-            yield Query(name, within)
-
-    def _within(self, question: str, kind: Kind) -> dict[str, float]:
-        """Shares of its numbers by which these may be off."""
-        table = self._table("tolerances", question)
-        self._known("tolerances", table, tuple(key for key in kind.keys if key not in NO_NUMBERS))
-        bounds = {"least": 0.0, "below": 1.0}
-        return self._tried(
-            "tolerances", table, lambda: {key: validate.number(key, value, **bounds) for key, value in table.items()}
-        )
+        name, kind, ask, within = "tolerances", self.kind, self.tables["ask"], {"within": self.tables["tolerances"]}
+        cases: list[dict[str, Any]] = []
+        for forcing in ask.get(kind.forcing, []):
+            cases.append({kind.forcing: forcing, **within})
+            for at in ask.get(kind.frequency, []):
+                cases.append({kind.forcing: forcing, kind.frequency: at, **within, "answers": [*AT_A_FREQUENCY]})
+        if pairs := self.tables.get("spectrum"):
+            cases.append({"spectrum": tuple(pairs.values()), **within, "answers": [*IN_A_SPECTRUM]})
+        if "duration" in self.tables.get("shock", {}):
+            pulses = (tuple(one.arguments.values()) for one in self._shocks("transient"))
+            cases += [{"shock": pulse, **within, "answers": [*IN_A_SHOCK]} for pulse in pulses]
+        return (Query(name, case) for case in cases or [within])
 
     def _positive(self, key: str, table: str = "ask") -> list[float]:
         """A list of numbers > 0."""
@@ -624,22 +511,34 @@ class _Reader:
             table, self.content[table], lambda: [validate.number(key, si(key, one, unit), **bounds) for one in values]
         )
 
-    def _window(self, key: str, ends: Any) -> tuple[float, float]:
+    def _window(self, key: str) -> tuple[float, float]:
         """Ends of frequencies, of a mount in SI units."""
-        known = [si("window", one, self._unit(key)) for one in ends] if isinstance(ends, list) else ends
-        return validate.window("window", known)
+        ask, unit = self.content["ask"], self._unit(self.kind.frequency)
+        ends = ask[key] if isinstance(ask[key], list) else [ask[key]]
+        return self._tried("ask", ask, lambda: validate.window(key, [si(key, one, unit) for one in ends]))
+
+    def _samples(self, key: str) -> int:
+        """A number of points."""
+        ask = self.content["ask"]
+        return self._tried("ask", ask, lambda: validate.count(key, ask[key], least=2, most=validate.MOST_SAMPLES))
+
+    def _questions(self, key: str) -> list[str]:
+        """Names of questions."""
+        names = self._list("ask", key, str)
+        for name in names:
+            if name not in QUESTIONS:
+                message = f"= {name!r} is not allowed: it must be one of {', '.join(QUESTIONS)}"
+                raise self._error("ask", key, message, name, QUESTIONS)
+        return names
 
     def _unit(self, key: str) -> str:
         """In which unit a mount has it; empty where it has none."""
         in_si = any(kind.in_si for name, kind in KINDS.items() if name in self.content)
         return SI.get(OF_MOUNT.get(key, ""), "") if in_si else ""
 
-    def _table(self, name: str, question: str = "") -> dict[str, Any]:
-        """A table, and which question needs it, if one does."""
+    def _table(self, name: str) -> dict[str, Any]:
+        """A table, which must be there."""
         value = self.content.get(name)
-        if value is None and question:
-            message = f"= {question!r} needs a table [{name}], which is missing"
-            raise self._error("ask", "questions", message)
         if not isinstance(value, dict):
             raise self._error(name, "", "a table is missing" if value is None else "must be a table")
         return value
@@ -661,9 +560,9 @@ class _Reader:
                 what = f"is not a key of [{table}]" if table else "is not a table of a scene"
                 raise self._error(*where, f"{what}: it must be one of {', '.join(known)}", key, known)
 
-    def _asks(self, table: str, values: Mapping[str, Any], kind: Kind, more: tuple[str, ...] = ()) -> None:
+    def _asks(self, table: str, values: Mapping[str, Any], more: tuple[str, ...] = ()) -> None:
         """As `_known`; for a forcing or frequency of another oscillator the message names the one to use here."""
-        known = (kind.forcing, kind.frequency, *more)
+        kind, known = self.kind, (self.kind.forcing, self.kind.frequency, *more)
         for key in values:
             if key in (*FORCINGS, *FREQUENCIES) and key not in known:
                 right, of = (kind.forcing, kind.forcing) if key in FORCINGS else (kind.frequency, "f")

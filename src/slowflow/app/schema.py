@@ -13,7 +13,8 @@ from typing import Any
 
 from slowflow.answers.quantities import DATA_SHEET, DENSITIES, EXCITED, OF_A_BASE, SI
 from slowflow.answers.table import COLUMNS, QUOTED, SHOCKS
-from slowflow.app.scenes import FREQUENCIES, KINDS, NO_NUMBERS, OF_A_LOOP, OF_A_PULSE, OF_FILES, OF_MOUNT, QUESTIONS
+from slowflow.app.query import FREQUENCIES, KINDS, NO_NUMBERS, OF_A_LOOP, OF_A_PULSE, OF_MOUNT, QUESTIONS
+from slowflow.app.scenes import OF_FILES
 from slowflow.app.verdict import AMOUNTS, NONE, TRANSMISSIBILITY
 from slowflow.oscillators.oscillator import FORCES
 from slowflow.oscillators.physical import Physical
@@ -134,7 +135,7 @@ def _arguments(questions: Iterable[str]) -> tuple[str, ...]:
     return (
         *forcing,
         *(FREQUENCIES if "Omega" in takes else ()),
-        *(key for key in ("window", "samples", "level_dB") if key in takes),
+        *(key for key in ("window", "samples", "level_dB", "A_max") if key in takes),
     )
 
 
@@ -145,6 +146,7 @@ def _ask(keys: Iterable[str]) -> Schema:
         "window": {"description": "ends of the frequencies of a response, in the unit of these", **ends},
         "samples": {"description": "approximate number of points of a response", "type": "integer", "minimum": 2},
         "level_dB": _list({"type": "number", "maximum": 0}, COLUMNS["level_dB"].text),
+        "A_max": {**AMPLITUDE, "description": "largest amplitude of fold locus, cusps and isola points"},
         "questions": _list({"enum": list(QUESTIONS)}, "questions to compute; nothing else is computed"),
     }
     return _object("Forcings and frequencies of the questions", {key: known[key] for key in keys})

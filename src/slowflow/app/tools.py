@@ -18,7 +18,7 @@ from mcp.server.stdio import stdio_server
 from slowflow.answers import files
 from slowflow.answers.answer import in_text
 from slowflow.app import scenes, schema, verdict
-from slowflow.app.scenes import QUESTIONS
+from slowflow.app.query import QUESTIONS
 from slowflow.support.errors import SlowflowError
 from slowflow.version import __version__
 
@@ -36,7 +36,8 @@ def answer(name: str, arguments: Mapping[str, Any]) -> tuple[str, dict[str, Any]
     """The answer of one tool, as text and as plain Python. Raises SlowflowError for what is not allowed."""
     content = dict(arguments)
     if name != SCENE:
-        content["ask"] = {**content.get("ask", {}), "questions": [name]}
+        if isinstance(ask := content.get("ask", {}), Mapping):  # what is no table the scene refuses
+            content["ask"] = {**ask, "questions": [name]}
     scene = scenes.from_tables(content)
     lines, found, failed = list(scene.warnings), [], []
     for query in scene.queries:
