@@ -646,6 +646,23 @@ def test_curves_pass_all_states_where_the_mean_turns(alpha, beta, zeta, load, F_
         assert crossed == len(osc.amplitudes(Omega=Omega, F_0=F_0))
 
 
+@pytest.mark.parametrize(
+    ("r", "delta_h", "zeta", "c_2", "load", "F_0"),
+    [(2.95, 0.0689, 0.01736, 0.0405, 0.00984, 0.5527), (2.407, 0.07675, 0.0194, 0.0357, 0.0963, 0.6792)],
+)
+def test_curve_between_close_folds_is_no_isola(r, delta_h, zeta, c_2, load, F_0):
+    """It passes an amplitude as often as there are frequencies of it: a closed curve would need two more."""
+    osc = Isolator(lam=3.0, r=r, delta_h=delta_h, zeta=zeta, c_2=c_2, load=load)
+    folds, curve = osc.saddle_nodes(F_0), osc.frequency_response(F_0)
+    steps, flow = osc.off_centre._steps, osc.off_centre._flow
+    close = np.flatnonzero(np.diff(folds.Omega) < 1e-5)
+    assert close.size and not any(curve.isola)
+    for k in close:
+        A, B = steps.balanced(np.array([[folds.A[k : k + 2].mean()], [folds.B[k]]]))[0]
+        Omega = flow.frequencies(A, -2 * steps.at(A, B, 0).s[0], F_0)
+        assert ((curve.A[1:] - A) * (curve.A[:-1] - A) < 0).sum() == np.isfinite(Omega).sum()
+
+
 def test_missing_gradient_under_a_load_is_explained(loaded):
     heavy = loaded.replace(load=0.1).saddle_node_onset()
     assert heavy.kind == "corner" and "reaches a breakpoint" in heavy.gradient().message

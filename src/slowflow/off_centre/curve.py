@@ -185,8 +185,8 @@ class _Skeleton:
         more, at = (0, part.a) if a.shape[1] > b.shape[1] else (1, part.b)
         x = (a, b)[more]
         meet = {fold: self._nearest(x, fold, 2) for fold in part.folds}
-        if len(part.folds) == 1:
-            # those that are left meet there, however near another fold is
+        if len(part.folds) == 1 and not meet[part.folds[0]]:
+            # those that are left meet there, however near a third is
             left = set(range(x.shape[1])) - {pair[more] for pair in pairs}
             meet = {part.folds[0]: sorted(left)}
         if sorted((*chain(*meet.values()), *(pair[more] for pair in pairs))) != list(range(x.shape[1])):
