@@ -19,6 +19,10 @@ import sympy as sp
 Let = tuple[sp.Symbol, sp.Expr]
 Outputs = sp.Expr | Sequence[sp.Expr]
 
+#: in C doubles, intervals, pairs (double-double) and bounded pairs, which know their error; in Python doubles,
+#: enclosures (intervals of any arithmetic) and balls
+ARITHMETICS = ("doubles", "intervals", "pairs", "bounded", "enclosures", "balls")
+
 
 @dataclass(frozen=True)
 class Branch:
@@ -79,12 +83,10 @@ class Kernel(Called):
     domain     -- where it holds
     generic    -- in Python for any kind of number that has arithmetic, and NumPy's functions where it calls them:
                   floats, complex numbers, arrays, an integrator's symbols
-    enclosed   -- whether it is wanted on intervals too, in C
-    searched   -- and on intervals of any arithmetic, in Python
     looped     -- whether Python may have it as a compiled loop over arrays of floats: asked once an answer, it need not
     in_c       -- whether anything in C calls it, where a module is in C at all
     in_python  -- whether Python has its text; what no Python code calls it has from C
-    paired     -- and in double-double, in C, and in balls, in Python
+    arithmetics -- the numbers that it is wanted on, of `ARITHMETICS`
     to_pairs   -- of one in double-double: the lets that are wanted so, what is left to do being done in doubles; all
                   of it where there are none
     """
@@ -98,12 +100,10 @@ class Kernel(Called):
     parameters: int = 0
     returns: str = "scalar"
     generic: bool = False
-    enclosed: bool = False
-    searched: bool = False
     looped: bool = True
     in_c: bool = True
     in_python: bool = True
-    paired: bool = False
+    arithmetics: tuple[str, ...] = ("doubles",)
     to_pairs: tuple[sp.Symbol, ...] = ()
 
     @property

@@ -246,15 +246,12 @@ class OffCentreTerms:
 class Module:
     """One generated module.
 
+    stated     -- its kernels on numbers of any kind
     inputs     -- file names below `derivations/` that it is derived from
     flow       -- name of the slow-flow module that compositions call
     constants  -- Python constants (name, value)
     twofolds   -- kernels in double-double
     record     -- of a mechanism's own module
-    cells      -- kernels that are requested on intervals, and nowhere on doubles
-    settled    -- kernels that are requested in double-double only
-    balls      -- kernels that are requested in balls only
-    bounded    -- kernels that are requested in double-double with a bound of their error, and in no other way
     native     -- whether its loops over arrays are compiled into the package
     in_c       -- whether anything in C calls it: loops over arrays, or a solver
     sums       -- averages by quadrature
@@ -265,17 +262,13 @@ class Module:
     name: str
     title: str
     inputs: tuple[str, ...]
-    kernels: tuple[Kernel, ...]
+    stated: tuple[Kernel, ...]
     selections: tuple[Selection, ...] = ()
     compositions: tuple[Composition, ...] = ()
     flow: str = ""
     constants: dict[str, object] = field(default_factory=dict)
     twofolds: tuple[TwofoldKernel, ...] = ()
     record: Record | None = None
-    cells: tuple[Kernel, ...] = ()
-    settled: tuple[Kernel, ...] = ()
-    balls: tuple[Kernel, ...] = ()
-    bounded: tuple[Kernel, ...] = ()
     native: bool = True
     in_c: bool = True
     sums: tuple[Sums, ...] = ()
@@ -301,7 +294,16 @@ class Module:
         """What Python has from C, as loops over arrays, because no Python code calls it."""
         return (*(kernel for kernel in self.kernels if not kernel.in_python), *self.twofolds)
 
+    def on(self, arithmetic: str) -> tuple[Kernel, ...]:
+        """The kernels on numbers of one kind."""
+        return tuple(one for one in self.stated if arithmetic in one.arithmetics)
+
     @property
-    def in_balls(self) -> tuple[Kernel, ...]:
-        """What is printed in balls."""
-        return (*(one for one in (*self.kernels, *self.cells) if one.paired), *self.balls)
+    def kernels(self) -> tuple[Kernel, ...]:
+        """The kernels on doubles."""
+        return self.on("doubles")
+
+    @property
+    def is_proved(self) -> bool:
+        """Whether it has what proofs take."""
+        return any(one.name == "given" for one in self.stated)

@@ -164,7 +164,7 @@ class Calls:
 
 def programs(module: Module, kernels: Iterable[Kernel] | None = None) -> Code:
     """The straight-line code of every branch, by kernel: of all of a module, or of those requested."""
-    every = (*module.kernels, *module.cells, *module.settled, *module.balls, *module.bounded, *module.on_intervals)
+    every = (*module.stated, *module.on_intervals)
     every += module.enclosed.contacts + module.enclosed.closing if module.enclosed else ()
     return {
         kernel.name: tuple(straight_line(branch.lets, branch.outputs, kernel.arguments) for branch in kernel.branches)

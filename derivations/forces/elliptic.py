@@ -695,7 +695,7 @@ def of_springs(end: Corner) -> tuple[Regime, Regime]:
             above, below = above.quo(sp.Poly(1 - x**2, x)), below / y**2
         return sp.factor(above.as_expr() / below)
 
-    def regime(inner: sp.Expr, rates: Mapping[sp.Symbol, sp.Expr], lets: Sequence[Let]) -> Regime:
+    def regime(passed: int, inner: sp.Expr, rates: Mapping[sp.Symbol, sp.Expr], lets: Sequence[Let]) -> Regime:
         """h = A inner with derivatives, by those of the names in it."""
         slopes = [inner]
         for _ in range(ORDERS):
@@ -707,10 +707,11 @@ def of_springs(end: Corner) -> tuple[Regime, Regime]:
             slopes.append(sp.factor(gathered[0]) * F + sp.factor(gathered[1]) * D + on_circle(none))
         derivatives = [A * inner, inner + A * slopes[1]]
         derivatives += [n * slopes[n - 1] + A * slopes[n] for n in range(2, ORDERS + 1)]
-        return Regime((), (), tuple(lets), tuple(derivatives), -m * slopes[1])
+        return Regime((end.name,) * passed, (), tuple(lets), tuple(derivatives), -m * slopes[1])
 
     F_m, D_m = by_second_parameter(F, D, m, 0, 1)
     attached_form = regime(
+        0,
         1 - 4 / sp.pi * D,
         {F: 2 * A * F_m, D: 2 * A * D_m},
         ((F, R_F(0, 1 - m, 1)), (D, R_D(0, 1 - m, 1) / 3)),
@@ -718,6 +719,7 @@ def of_springs(end: Corner) -> tuple[Regime, Regime]:
     F_m, D_m = by_second_parameter(F, D, m, x * y, c)
     angle_A = -x / (A * y)
     detached_form = regime(
+        1,
         4 / sp.pi * ((theta - x * y) / (2 * c) - D),
         {
             theta: angle_A,

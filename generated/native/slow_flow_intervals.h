@@ -113,6 +113,35 @@ static inline void slow_flow_intervals_intercept(sf_interval A, sf_interval h, s
     out[1] = NEG(MUL(A, h_AA));
 }
 
+/* F_Omega/(4 A), without the factor Omega if it has that, and its slope along Omega.
+   Equation (34). Domain: Omega > 0, A > 0. */
+static inline void slow_flow_intervals_F_Omega_reduced(sf_interval Omega, sf_interval A, sf_interval m, sf_interval zeta, sf_interval h, sf_interval *out) {
+    const sf_interval p = ADD(TIMES(2.0, MUL(A, SQUARE(zeta))), h);
+    const sf_interval t0 = MUL(A, SQUARE(Omega));
+    out[0] = ADD(MUL(Omega, ADD(p, t0)), MUL(m, zeta));
+    out[1] = ADD(p, TIMES(3.0, t0));
+}
+
+/* R by its definition, and by its tangent along A, which meets A = 0 at k = h - A h_A.
+   Equation (24). Domain: Omega > 0, A > 0. */
+static inline void slow_flow_intervals_state_R(sf_interval Omega, sf_interval A, sf_interval h, sf_interval h_A, sf_interval k, sf_interval *out) {
+    const sf_interval t0 = SQUARE(Omega);
+    out[0] = ADD(MUL(A, t0), h);
+    out[1] = ADD(MUL(A, ADD(h_A, t0)), k);
+}
+
+/* F and its first two derivatives along A, by R (`state_R`).
+   Equation (24), (30), (33). Domain: Omega > 0, A > 0. */
+static inline void slow_flow_intervals_state(sf_interval Omega, sf_interval A, sf_interval F_0, sf_interval m, sf_interval zeta, sf_interval h_A, sf_interval h_AA, sf_interval R, sf_interval *out) {
+    const sf_interval t0 = TIMES(2.0, MUL(Omega, zeta));
+    const sf_interval I_ = ADD(MUL(A, t0), m);
+    const sf_interval t1 = SQUARE(Omega);
+    const sf_interval t2 = ADD(h_A, t1);
+    out[0] = ADD(SQUARE(R), MUL(ADD(NEG(F_0), I_), ADD(F_0, I_)));
+    out[1] = TIMES(2.0, ADD(MUL(I_, t0), MUL(R, t2)));
+    out[2] = TIMES(2.0, ADD(ADD(MUL(R, h_AA), TIMES(4.0, MUL(t1, SQUARE(zeta)))), SQUARE(t2)));
+}
+
 /* The largest |h| of a state with this amplitude: F_0 + (A Omega)^2/A at the highest Omega. */
 static inline sf_interval slow_flow_intervals_most_restoring(sf_interval A, sf_interval F_0, sf_interval m, sf_interval zeta) {
     const sf_interval c = NEG(DIV(TIMES(0.5, ADD(NEG(F_0), m)), zeta));
@@ -139,6 +168,15 @@ static inline void slow_flow_intervals_fold(sf_interval A, sf_interval F_0, sf_i
     out[1] = SUB(ADD(DIV(MUL(MUL(MUL(F_0, SQUARE(J)), k_A), ADD(TIMES(0.5, MUL(t3, t6)), DIV(ADD(F_0, MUL(m, t2)),
         excess))), SQUARE(k)), h_A), DIV(MUL(t4, t7), SQUARE(A)));
     out[2] = DIV(TIMES(0.5, MUL(lag, t5)), zeta);
+}
+
+/* F_A/(2 A) without friction as X^2 + b X + c in X = Omega^2, by h/A and h/A - h_A: b, and b^2 - 4 c.
+   Equation from (30). Domain: A > 0. */
+static inline void slow_flow_intervals_fold_least(sf_interval zeta, sf_interval h_A, sf_interval over_A, sf_interval apart, sf_interval *out) {
+    const sf_interval t0 = SQUARE(zeta);
+    const sf_interval t1 = ADD(h_A, over_A);
+    out[0] = ADD(TIMES(4.0, t0), t1);
+    out[1] = ADD(SQUARE(apart), TIMES(8.0, MUL(t0, ADD(TIMES(2.0, t0), t1))));
 }
 
 /* Omega at an isola point. */
@@ -261,28 +299,6 @@ static inline void slow_flow_intervals_isola_mu0(sf_interval A, sf_interval zeta
     out[1] = bracket_A;
 }
 
-/* Zero at a fold at F_0, where h_A < 0: R^2 + I^2 - F_0^2 on the undamped folds, and its slope along A. */
-static inline void slow_flow_intervals_fold_zeta0(sf_interval F_0, sf_interval m, sf_interval k, sf_interval k_A, sf_interval *out) {
-    const sf_interval excess = MUL(SUB(F_0, m), ADD(F_0, m));
-    const sf_interval least = SQRT(excess);
-    out[0] = MUL(SUB(k, least), ADD(k, least));
-    out[1] = TIMES(2.0, MUL(k, k_A));
-}
-
-/* Omega of the folds. */
-static inline sf_interval slow_flow_intervals_undamped_Omega(sf_interval h_A) {
-    return SQRT(NEG(h_A));
-}
-
-/* F_Omega/(4 A), without the factor Omega if it has that, and its slope along Omega.
-   Equation (34). Domain: Omega > 0, A > 0. */
-static inline void slow_flow_intervals_F_Omega_reduced(sf_interval Omega, sf_interval A, sf_interval m, sf_interval zeta, sf_interval h, sf_interval *out) {
-    const sf_interval p = ADD(TIMES(2.0, MUL(A, SQUARE(zeta))), h);
-    const sf_interval t0 = MUL(A, SQUARE(Omega));
-    out[0] = ADD(MUL(Omega, ADD(p, t0)), MUL(m, zeta));
-    out[1] = ADD(p, TIMES(3.0, t0));
-}
-
 /* F_Omega/(4 A), without the factor Omega if it has that, and its slope along Omega.
    Equation (34). Domain: m = 0, Omega > 0, A > 0. */
 static inline void slow_flow_intervals_F_Omega_reduced_mu0(sf_interval Omega, sf_interval A, sf_interval zeta, sf_interval h, sf_interval *out) {
@@ -292,6 +308,14 @@ static inline void slow_flow_intervals_F_Omega_reduced_mu0(sf_interval Omega, sf
     out[1] = MUL(Omega, t0);
 }
 
+/* Zero at a fold at F_0, where h_A < 0: R^2 + I^2 - F_0^2 on the undamped folds, and its slope along A. */
+static inline void slow_flow_intervals_fold_zeta0(sf_interval F_0, sf_interval m, sf_interval k, sf_interval k_A, sf_interval *out) {
+    const sf_interval excess = MUL(SUB(F_0, m), ADD(F_0, m));
+    const sf_interval least = SQRT(excess);
+    out[0] = MUL(SUB(k, least), ADD(k, least));
+    out[1] = TIMES(2.0, MUL(k, k_A));
+}
+
 /* F_Omega/(4 A), without the factor Omega if it has that, and its slope along Omega.
    Equation (34). Domain: zeta = 0, Omega > 0, A > 0. */
 static inline void slow_flow_intervals_F_Omega_reduced_zeta0(sf_interval Omega, sf_interval A, sf_interval h, sf_interval *out) {
@@ -299,33 +323,9 @@ static inline void slow_flow_intervals_F_Omega_reduced_zeta0(sf_interval Omega, 
     out[1] = TIMES(2.0, MUL(A, Omega));
 }
 
-/* R by its definition, and by its tangent along A, which meets A = 0 at k = h - A h_A.
-   Equation (24). Domain: Omega > 0, A > 0. */
-static inline void slow_flow_intervals_state_R(sf_interval Omega, sf_interval A, sf_interval h, sf_interval h_A, sf_interval k, sf_interval *out) {
-    const sf_interval t0 = SQUARE(Omega);
-    out[0] = ADD(MUL(A, t0), h);
-    out[1] = ADD(MUL(A, ADD(h_A, t0)), k);
-}
-
-/* F and its first two derivatives along A, by R (`state_R`).
-   Equation (24), (30), (33). Domain: Omega > 0, A > 0. */
-static inline void slow_flow_intervals_state(sf_interval Omega, sf_interval A, sf_interval F_0, sf_interval m, sf_interval zeta, sf_interval h_A, sf_interval h_AA, sf_interval R, sf_interval *out) {
-    const sf_interval t0 = TIMES(2.0, MUL(Omega, zeta));
-    const sf_interval I_ = ADD(MUL(A, t0), m);
-    const sf_interval t1 = SQUARE(Omega);
-    const sf_interval t2 = ADD(h_A, t1);
-    out[0] = ADD(SQUARE(R), MUL(ADD(NEG(F_0), I_), ADD(F_0, I_)));
-    out[1] = TIMES(2.0, ADD(MUL(I_, t0), MUL(R, t2)));
-    out[2] = TIMES(2.0, ADD(ADD(MUL(R, h_AA), TIMES(4.0, MUL(t1, SQUARE(zeta)))), SQUARE(t2)));
-}
-
-/* F_A/(2 A) without friction as X^2 + b X + c in X = Omega^2, by h/A and h/A - h_A: b, and b^2 - 4 c.
-   Equation from (30). Domain: A > 0. */
-static inline void slow_flow_intervals_fold_least(sf_interval zeta, sf_interval h_A, sf_interval over_A, sf_interval apart, sf_interval *out) {
-    const sf_interval t0 = SQUARE(zeta);
-    const sf_interval t1 = ADD(h_A, over_A);
-    out[0] = ADD(TIMES(4.0, t0), t1);
-    out[1] = ADD(SQUARE(apart), TIMES(8.0, MUL(t0, ADD(TIMES(2.0, t0), t1))));
+/* Omega of the folds. */
+static inline sf_interval slow_flow_intervals_undamped_Omega(sf_interval h_A) {
+    return SQRT(NEG(h_A));
 }
 
 SF_FAMILY_END

@@ -92,6 +92,41 @@ def intercept(A, h, h_A, h_AA):
     return -A * h_A + h, -A * h_AA
 
 
+def F_Omega_reduced(Omega, A, m, zeta, h):
+    """F_Omega/(4 A), without the factor Omega if it has that, and its slope along Omega.
+
+    Equation (34). Domain: Omega > 0, A > 0.
+    """
+    p = 2.0 * A * zeta.square() + h
+    t0 = A * Omega.square()
+    return Omega * (p + t0) + m * zeta, p + 3.0 * t0
+
+
+def state_R(Omega, A, h, h_A, k):
+    """R by its definition, and by its tangent along A, which meets A = 0 at k = h - A h_A.
+
+    Equation (24). Domain: Omega > 0, A > 0.
+    """
+    t0 = Omega.square()
+    return A * t0 + h, A * (h_A + t0) + k
+
+
+def state(Omega, A, F_0, m, zeta, h_A, h_AA, R):
+    """F and its first two derivatives along A, by R (`state_R`).
+
+    Equation (24), (30), (33). Domain: Omega > 0, A > 0.
+    """
+    t0 = 2.0 * Omega * zeta
+    I = A * t0 + m
+    t1 = Omega.square()
+    t2 = h_A + t1
+    return (
+        R.square() + (-F_0 + I) * (F_0 + I),
+        2.0 * (I * t0 + R * t2),
+        2.0 * (R * h_AA + 4.0 * t1 * zeta.square() + t2.square()),
+    )
+
+
 def most_restoring(A, F_0, m, zeta):
     """The largest |h| of a state with this amplitude: F_0 + (A Omega)^2/A at the highest Omega."""
     c = -0.5 * (-F_0 + m) / zeta
@@ -216,33 +251,6 @@ def isola_mu0(A, zeta, h, h_A, h_AA):
     return bracket, bracket_A
 
 
-def fold_zeta0(F_0, m, k, k_A):
-    """Zero at a fold at F_0, where h_A < 0: R^2 + I^2 - F_0^2 on the undamped folds, and its slope along A."""
-    excess = (F_0 - m) * (F_0 + m)
-    least = excess.sqrt()
-    return (k - least) * (k + least), 2.0 * k * k_A
-
-
-def undamped_Omega(h_A):
-    """Omega of the folds."""
-    return (-h_A).sqrt()
-
-
-def undamped_rises(h_AA, h_AAA, k):
-    """The sign of the level's slope along A on the undamped folds; and, where that is 0, of the slope's own."""
-    return -h_AA * k, -h_AAA * k
-
-
-def F_Omega_reduced(Omega, A, m, zeta, h):
-    """F_Omega/(4 A), without the factor Omega if it has that, and its slope along Omega.
-
-    Equation (34). Domain: Omega > 0, A > 0.
-    """
-    p = 2.0 * A * zeta.square() + h
-    t0 = A * Omega.square()
-    return Omega * (p + t0) + m * zeta, p + 3.0 * t0
-
-
 def F_Omega_reduced_mu0(Omega, A, zeta, h):
     """F_Omega/(4 A), without the factor Omega if it has that, and its slope along Omega.
 
@@ -253,6 +261,13 @@ def F_Omega_reduced_mu0(Omega, A, zeta, h):
     return A * Omega.square() + p, Omega * t0
 
 
+def fold_zeta0(F_0, m, k, k_A):
+    """Zero at a fold at F_0, where h_A < 0: R^2 + I^2 - F_0^2 on the undamped folds, and its slope along A."""
+    excess = (F_0 - m) * (F_0 + m)
+    least = excess.sqrt()
+    return (k - least) * (k + least), 2.0 * k * k_A
+
+
 def F_Omega_reduced_zeta0(Omega, A, h):
     """F_Omega/(4 A), without the factor Omega if it has that, and its slope along Omega.
 
@@ -261,26 +276,11 @@ def F_Omega_reduced_zeta0(Omega, A, h):
     return A * Omega.square() + h, 2.0 * A * Omega
 
 
-def state_R(Omega, A, h, h_A, k):
-    """R by its definition, and by its tangent along A, which meets A = 0 at k = h - A h_A.
-
-    Equation (24). Domain: Omega > 0, A > 0.
-    """
-    t0 = Omega.square()
-    return A * t0 + h, A * (h_A + t0) + k
+def undamped_Omega(h_A):
+    """Omega of the folds."""
+    return (-h_A).sqrt()
 
 
-def state(Omega, A, F_0, m, zeta, h_A, h_AA, R):
-    """F and its first two derivatives along A, by R (`state_R`).
-
-    Equation (24), (30), (33). Domain: Omega > 0, A > 0.
-    """
-    t0 = 2.0 * Omega * zeta
-    I = A * t0 + m
-    t1 = Omega.square()
-    t2 = h_A + t1
-    return (
-        R.square() + (-F_0 + I) * (F_0 + I),
-        2.0 * (I * t0 + R * t2),
-        2.0 * (R * h_AA + 4.0 * t1 * zeta.square() + t2.square()),
-    )
+def undamped_rises(h_AA, h_AAA, k):
+    """The sign of the level's slope along A on the undamped folds; and, where that is 0, of the slope's own."""
+    return -h_AA * k, -h_AAA * k

@@ -21,5 +21,5 @@ def with_bends(module: Module, derived: OfMechanism) -> Module:
     average = Quadrature(tuple(derived.oscillator.polynomials), {end: end for end in mechanism.breakpoints})
     of = formulas(mechanism.parameters)
     state_kinks(of, average)
-    kernels = (*module.kernels, *of.kernels.values())
-    return replace(module, kernels=kernels, enclosed=enclosed(mechanism, average))
+    stated = (*module.stated, *of.kernels.values())
+    return replace(module, stated=stated, enclosed=enclosed(mechanism, average))

@@ -50,5 +50,5 @@ def slow_flow_module(results: Results) -> Module:
             "systems/newton.py",
             "paper/critical_forcings.py",
         ),
-        **requested(GENERAL, kernels.values()),
+        stated=requested(GENERAL, kernels.values()),
     )

@@ -41,7 +41,7 @@ def frequencies_module(results: Results) -> Module:
         name="frequencies",
         title="The quartics whose roots are the frequencies at an amplitude: F of the response, F_A/2 of the folds",
         inputs=("paper/averaging.py", "paper/slow_flow.py", "systems/frequencies.py"),
-        **requested("frequencies", of.kernels.values()),
+        stated=requested("frequencies", of.kernels.values()),
         twofolds=tuple(twofolds),
         constants={"ROUGH": ROUGH, "FINE": FINE},
     )

@@ -69,7 +69,7 @@ def mechanism_module(mechanisms: Mapping[str, OfMechanism], name: str, flow: Mod
         name=name,
         title=mechanism.title[0].upper() + mechanism.title[1:],
         inputs=(f"mechanisms/{name}.py", *(["asymmetric/curved.py"] if terms else [])),
-        kernels=tuple(of.kernels.values()),
+        stated=tuple(of.kernels.values()),
         selections=(*averages.selections, *selections(averages, compiled=not is_spelled_out(derived))),
         compositions=tuple(compositions(flow, mechanism, averages.pair, compiled=not is_spelled_out(derived)))
         if flow
@@ -82,10 +82,15 @@ def mechanism_module(mechanisms: Mapping[str, OfMechanism], name: str, flow: Mod
 
 def with_proofs(module: Module, derived: OfMechanism) -> Module:
     """The same with what compiled solvers and balls ask of it besides."""
-    module = replace(module, cells=cell_kernels(derived))
-    if not is_spelled_out(derived):
-        return module
-    return replace(module, settled=closely(derived), bounded=bounded_kernels(derived), balls=ball_kernels(derived))
+    of = formulas(derived.oscillator.mechanism.parameters)
+    state_given(of, derived)
+    if is_spelled_out(derived):
+        state_kinks(of, derived)
+        state_closely(of, derived)
+        state_in_balls(of, derived)
+    else:
+        state_known(of, derived)
+    return replace(module, stated=(*module.stated, *of.kernels.values()))
 
 
 @dataclass(frozen=True)
@@ -124,15 +129,15 @@ def regime_branches(restoring: Restoring, count: int) -> tuple[Branch, ...]:
     return branches(cases_of(restoring), count)
 
 
-def branches(cases: Sequence[Case], count: int | None = None) -> tuple[Branch, ...]:
-    """The first outputs of each case; a single one needs no name."""
+def branches(cases: Sequence[Case], count: int | None = None, *, intercept: bool = False) -> tuple[Branch, ...]:
+    """The first outputs of each case, with its intercept or without; a single one needs no name."""
     several = len(cases) > 1
     return tuple(
         Branch(
             c.name if several else "",
             c.guards,
             c.regime.lets,
-            tuple(c.regime.derivatives[:count]),
+            (*c.regime.derivatives[:count], *([c.regime.intercept] if intercept else [])),
             passed=len(c.regime.passed),
             remainders=c.regime.remainders,
         )
@@ -178,7 +183,8 @@ def by_squares(branch: Branch) -> Branch:
 
 #: names of h and of H with its derivatives; the further ones of H are those of h
 OF_H, OF_BESIDE = tuple("h" + name for name in NAMES), ("H", "H_A")
-#: what proofs ask for together
+#: the numbers that proofs compute with, and what they ask for together
+OF_PROOFS = ("intervals", "pairs", "balls")
 KNOWN = (*OF_H, "h - A h_A")
 
 
@@ -232,50 +238,39 @@ def intercept_branches(derived: OfMechanism) -> tuple[Branch, ...]:
     return tuple(replace(branch, outputs=(case.regime.intercept,)) for branch, case in cases)
 
 
-def cell_kernels(derived: OfMechanism) -> tuple[Kernel, ...]:
-    """What a proof asks for on intervals: parameters and what the force loses at its breakpoints; h and h - A h_A.
+def state_given(of: Formulas, derived: OfMechanism) -> None:
+    """The parameters from the design, and what the force loses at its breakpoints.
 
-    What it loses is a difference of larger numbers in the parameters, but not in the design: a number of its own.
+    That is a difference of larger numbers in the parameters, but not in the design: a number of its own.
     """
-    whole, mechanism = derived.whole, derived.oscillator.mechanism
-    design = tuple(parameter.symbol for parameter in mechanism.design)
-    named = tuple(sp.Symbol(f"jump_{k}", real=True) for k in range(1, len(whole.breakpoints) + 1))
-    values = definitions_of(derived)
+    whole, mechanism, values = derived.whole, derived.oscillator.mechanism, definitions_of(derived)
     ends = [(end, values[end]) for end in whole.breakpoints if values[end] != end]
     lost = [
         end * sp.factor(sp.simplify((jump / end).subs(values)))
         for end, jump in zip(whole.breakpoints, whole.jumps, strict=True)
     ]
-    parameters = mechanism.parameters
-    of = formulas(parameters)
     of.add(
         "given",
-        Lets(ends, (*(name if name in whole.breakpoints else values[name] for name in parameters), *lost)),
+        Lets(ends, (*(name if name in whole.breakpoints else values[name] for name in mechanism.parameters), *lost)),
         "The parameters from the design, and what the force loses at each breakpoint.",
         "(5)-(7)",
         "any design",
-        arguments=design,
+        arguments=tuple(parameter.symbol for parameter in mechanism.design),
         packed=False,
-        paired=True,
+        arithmetics=OF_PROOFS,
     )
-    if is_spelled_out(derived):
-        state_kinks(of, derived)
-        return (*of.kernels.values(), *closely(derived))
-    of.parameters = (*parameters, *named)
-    regimes = [(form, average(whole.pieces, whole.breakpoints, *form[2:], named)) for form in forms(whole.breakpoints)]
-    cases = tuple(
-        Branch(
-            name if whole.breakpoints else "",
-            guards,
-            regime.lets,
-            (*regime.derivatives, regime.intercept),
-            passed=passed,
-            remainders=regime.remainders,
-        )
-        for (name, guards, passed, _), regime in regimes
-    )
-    state_averaged(of, "known", KNOWN, cases, paired=True)
-    return tuple(of.kernels.values())
+
+
+def state_known(of: Formulas, derived: OfMechanism) -> None:
+    """The average of a force of polynomials, by what it loses at its breakpoints too."""
+    whole = derived.whole
+    named = tuple(sp.Symbol(f"jump_{k}", real=True) for k in range(1, len(whole.breakpoints) + 1))
+    of.parameters = (*of.parameters, *named)
+    cases = [
+        Case(name, guards, average(whole.pieces, whole.breakpoints, *passed, named))
+        for name, guards, *passed in forms(whole.breakpoints)
+    ]
+    state_averaged(of, "known", KNOWN, branches(cases, intercept=True), arithmetics=OF_PROOFS)
 
 
 def pieces_of(derived: OfMechanism) -> tuple[sp.Expr, sp.Expr, sp.Expr, elliptic.Corner]:
@@ -285,29 +280,20 @@ def pieces_of(derived: OfMechanism) -> tuple[sp.Expr, sp.Expr, sp.Expr, elliptic
     return a, b, rest, elliptic.corner(name, value)
 
 
-def closely(derived: OfMechanism) -> tuple[Kernel, ...]:
-    """The average of a force that is not truncated, piece by piece: on intervals, and in double-double."""
+def state_closely(of: Formulas, derived: OfMechanism) -> None:
+    """The average of a force that is not truncated, piece by piece: on intervals, and in double-double.
+
+    Where A exceeds the breakpoint it follows from parts in closed form, which are computed to more digits.
+    """
     a, b, rest, end = pieces_of(derived)
     of_parts = elliptic.detached_closely(b, rest, end)
-    of = formulas(derived.oscillator.mechanism.parameters)
-    text = f"{', '.join(KNOWN)} together."
-    few, steep = (
-        Branch("", (), regime.lets, (*regime.derivatives, regime.intercept), remainders=regime.remainders)
-        for regime in elliptic.attached_closely(a, b)
-    )
-    below = f"{text} Where A does not exceed the breakpoint"
-    state_averaged(of, "attached", (), [few], f"{below}, nor {elliptic.FEW}.")
-    steep = state_averaged(of, "attached_steep", (), [steep], f"{below}.")
+    few, steep = (branches([Case("", (), regime)], intercept=True) for regime in elliptic.attached_closely(a, b))
+    below = f"{', '.join(KNOWN)} together. Where A does not exceed the breakpoint"
+    numbers = {"arithmetics": ("intervals", "pairs")}
+    state_averaged(of, "attached", (), few, f"{below}, nor {elliptic.FEW}.", **numbers)
+    steep = state_averaged(of, "attached_steep", (), steep, f"{below}.", **numbers)
     text = "The same where it does, from the parts."
-    of.add("detached", of_parts.whole, text, steep.equation, steep.domain, arguments=(A, *of_parts.names))
-    return tuple(of.kernels.values())
-
-
-def bounded_kernels(derived: OfMechanism) -> tuple[Kernel, ...]:
-    """What of it is computed to more digits: where A exceeds the breakpoint, in closed form."""
-    _, b, rest, end = pieces_of(derived)
-    of_parts = elliptic.detached_closely(b, rest, end)
-    of = formulas(derived.oscillator.mechanism.parameters)
+    of.add("detached", of_parts.whole, text, steep.equation, steep.domain, arguments=(A, *of_parts.names), **numbers)
     of.add(
         "ends",
         Lets(of_parts.lets, of_parts.ends),
@@ -315,6 +301,7 @@ def bounded_kernels(derived: OfMechanism) -> tuple[Kernel, ...]:
         "(5)",
         "beyond > 0",
         arguments=(of_parts.beyond,),
+        arithmetics=("bounded",),
     )
     of.add(
         "parts",
@@ -324,8 +311,8 @@ def bounded_kernels(derived: OfMechanism) -> tuple[Kernel, ...]:
         "A > u_cr",
         arguments=(*of_parts.ends, *of_parts.carlson),
         packed=False,
+        arithmetics=("bounded",),
     )
-    return tuple(of.kernels.values())
 
 
 def state_kinks(of: Formulas, derived: OfMechanism) -> None:
@@ -335,24 +322,17 @@ def state_kinks(of: Formulas, derived: OfMechanism) -> None:
     below, above = (sp.diff(piece, u).subs(elliptic.ROOT, height).subs(u, end.name) for piece in derived.whole.pieces)
     lets = ((end.name, end.value), (height, end.height))
     text = "What the slope of the force loses at each breakpoint."
-    of.add("kinks", Lets(lets, (below - above,)), text, "(5)", paired=True)
+    of.add("kinks", Lets(lets, (below - above,)), text, "(5)", arithmetics=OF_PROOFS)
 
 
-def ball_kernels(derived: OfMechanism) -> tuple[Kernel, ...]:
-    """What a proof asks for where an average is an algorithm that only approaches it: closed forms, for balls."""
-    a, b, rest, end = pieces_of(derived)
-    regimes = elliptic.in_balls(a, b, rest, end)
-    cases = [
-        Branch(
-            f"passed_{passed}", ((A, end.name),), regime.lets, (*regime.derivatives, regime.intercept), passed=passed
-        )
-        for passed, regime in enumerate(regimes)
-    ]
-    of = formulas(derived.oscillator.mechanism.parameters)
+def state_in_balls(of: Formulas, derived: OfMechanism) -> None:
+    """What a proof asks for where an average is an algorithm that only approaches it: closed forms."""
+    *_, end = pieces = pieces_of(derived)
+    cases = [Case(f"passed_{k}", ((A, end.name),), regime) for k, regime in enumerate(elliptic.in_balls(*pieces))]
     text = f"{', '.join(map(str, AVERAGED))}, h - A h_A at A = 0."
-    of.add("at_rest", elliptic.at_rest(derived.whole.pieces[0]), text, "(20)-(22), (31)")
-    state_averaged(of, "known", KNOWN, cases)
-    return tuple(of.kernels.values())
+    at_rest = elliptic.at_rest(derived.whole.pieces[0])
+    of.add("at_rest", at_rest, text, "(20)-(22), (31)", arithmetics=("balls",))
+    state_averaged(of, "known", KNOWN, branches(cases, intercept=True), arithmetics=("balls",))
 
 
 def definitions_of(derived: OfMechanism) -> dict[sp.Symbol, sp.Expr]:
@@ -479,7 +459,7 @@ def state_numbers(of: Formulas, derived: OfMechanism) -> None:
         equations=("(5), (7)", "(5)", "(6)" if is_truncated(derived) else "(5)"),
     )
     if ends:
-        of.kernels["breakpoints"] = replace(of.kernels["breakpoints"], enclosed=True, paired=True)
+        of.kernels["breakpoints"] = replace(of.kernels["breakpoints"], arithmetics=("doubles", *OF_PROOFS))
     text = "The force over the displacement, f(u)/u, rises with |u| where none of these is negative."
     of.add("hardening", hardening(whole), text, "from (3)")
     if is_stepped(whole.pieces):

@@ -48,7 +48,7 @@ def quadrature_module(name: str, mechanism: Mechanism, average: Quadrature) -> M
         name=name,
         title=stated.title[0].upper() + stated.title[1:],
         inputs=("runtime.py", "forces/quadrature.py", *(["asymmetric/curved.py"] if terms else [])),
-        kernels=tuple(of.kernels.values()),
+        stated=tuple(of.kernels.values()),
         record=Record(stated, stated.design or (UNIT,), laws, sp.oo, False, "", (), stepped=is_stepped(average.pieces)),
         native=False,
         sums=averages,

@@ -44,7 +44,7 @@ def sided_module(name: str, force: Sided) -> Module:
         name=name,
         title=stated.title[0].upper() + stated.title[1:],
         inputs=("runtime.py", "asymmetric/sided.py", *(["asymmetric/curved.py"] if terms else [])),
-        kernels=tuple(of.kernels.values()),
+        stated=tuple(of.kernels.values()),
         record=Record(stated, stated.design, laws, sp.oo, False, "", (), stepped=force.is_polynomial, odd=False),
         native=False,
         off_centre=terms,

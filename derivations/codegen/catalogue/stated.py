@@ -73,6 +73,6 @@ def stated_module(name: str, results: Results) -> Module:
     steps, title, inputs = MODULES[name]
     kernels = [kernel for step in steps for kernel in getattr(results, step).kernels.values()]
     constants = CONSTANTS.get(name, {})
-    requests = requested(name, kernels)
-    in_c = any(kernel.in_c for kernel in requests["kernels"])
-    return Module(name=name, title=title, inputs=inputs, constants=constants, in_c=in_c, **requests)
+    stated = requested(name, kernels)
+    in_c = any(kernel.in_c for kernel in stated)
+    return Module(name=name, title=title, inputs=inputs, stated=stated, constants=constants, in_c=in_c)

@@ -1,6 +1,6 @@
 """Kernels in balls, for proofs with as many digits as they take: a Python module for each module that has any.
 
-In:  `Module`s with the straight-line code of their kernels; of these the kernels that say `paired`, and `balls`.
+In:  `Module`s with the straight-line code of their kernels.
 Out: a dict from file name (below `generated/`) to text.
 
 The Python calls python-flint, which not everyone has: nothing else imports these modules. A series cut short for a
@@ -33,10 +33,10 @@ def files(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
     return {
         f"slowflow_kernels/{module.name}_balls.py": interval.module_of(
             module,
-            [view(*closed(kernel, code[module.name]), PYTHON) for kernel in module.in_balls],
-            imports=["from flint import arb", *([integrals] if module.balls else [])],
+            [view(*closed(kernel, code[module.name]), PYTHON) for kernel in module.on("balls")],
+            imports=["from flint import arb", *([integrals] if module.on("bounded") else [])],
             **ABOUT,
         )
         for module in modules
-        if module.in_balls
+        if module.on("balls")
     }

@@ -1,6 +1,6 @@
 """Kernels in double-double with a bound of their error, printed for `generic`, and Carlson's series.
 
-In:  `Module`s with the straight-line code of their kernels; of these the kernels that are `bounded`.
+In:  `Module`s with the straight-line code of their kernels.
 Out: `KernelView`s of C; the series' file by its name (below `generated/`).
 
 Closed forms that divide by what may be small are evaluated so: a proof by doubles takes the doubles around the result,
@@ -29,7 +29,7 @@ def files() -> dict[str, str]:
 
 def in_c(module: Module, code: Code) -> list[KernelView]:
     """The kernels in C, printed."""
-    return [view(kernel, code[kernel.name], CALLS) for kernel in module.bounded]
+    return [view(kernel, code[kernel.name], CALLS) for kernel in module.on("bounded")]
 
 
 def name_of(module: Module) -> str:

@@ -117,14 +117,14 @@ def spring_of(module: Module) -> Spring:
     mechanism = module.record.mechanism
     domain = within(mechanism.design, DESIGN)
     proved = "" if module.enclosed else interval.name_of(module)
-    exact = (proved, pair.name_of(module), len(mechanism.breakpoints) > 0) if module.cells else ()
+    exact = (proved, pair.name_of(module), len(mechanism.breakpoints) > 0) if module.is_proved else ()
     up_to = module.record.harmonics_up_to
     bent = interval.name_of(module) if module.enclosed else ""
     every = [sums_of(name, width, module) for name, width in zip(SUMS, (4, 2, 8), strict=True)]
     first: dict[object, str] = {}
     sums = tuple(replace(one, chosen_by=first.setdefault(one.guards, one.name)) for one in every)
     begins = module.enclosed.begins if module.enclosed else ()
-    of_bounded = bounded.name_of(module) if module.bounded else ""
+    of_bounded = bounded.name_of(module) if module.on("bounded") else ""
     numbers = (module.name, mechanism, len(mechanism.breakpoints), domain, sums, up_to)
     return Spring(*numbers, *exact, bent=bent, summed=bool(module.sums), begins=begins, bounded=of_bounded)
 

@@ -1,6 +1,6 @@
 """Kernels on whole intervals of their arguments: those in C printed for `generic`, and modules in Python.
 
-In:  `Module`s with the straight-line code of their kernels; of these the kernels that say `enclosed`, and `cells`.
+In:  `Module`s with the straight-line code of their kernels.
 Out: `KernelView`s of C, and a dict from file name (below `generated/`) to text of Python.
 
 The Python takes objects with operators, `square` and `sqrt`, and has what the search along the amplitude asks, and
@@ -43,9 +43,8 @@ def files(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
     """Every file in Python."""
     result = {}
     for module in modules:
-        searched = [kernel for kernel in (*module.kernels, *module.cells) if kernel.searched]
-        if searched:
-            kernels = [view(kernel, code[module.name][kernel.name], PYTHON) for kernel in searched]
+        kernels = [view(kernel, code[module.name][kernel.name], PYTHON) for kernel in module.on("enclosures")]
+        if kernels:
             result[f"slowflow_kernels/{name_of(module)}.py"] = module_of(module, kernels, imports=[], **IN_PYTHON)
     return result
 
@@ -54,16 +53,15 @@ def in_c(module: Module, code: Code) -> list[KernelView]:
     """The kernels in C, printed."""
     if module.enclosed:
         return [view(kernel, code[kernel.name], ENCLOSED) for kernel in module.enclosed.kernels]
-    enclosed = (*(one for one in module.kernels if one.enclosed), *module.cells)
     printer = AS_OPERATORS if as_doubles(module, code) else CALLS
-    return [on_interval(kernel, code[kernel.name], printer) for kernel in enclosed]
+    return [on_interval(kernel, code[kernel.name], printer) for kernel in module.on("intervals")]
 
 
 def as_doubles(module: Module, code: Code) -> list[KernelView]:
     """The kernels as doubles have them, of a module without pairs: functions of numbers alone, if that saves lines."""
-    if not module.in_c or module.settled or any(one.paired for one in (*module.kernels, *module.cells)):
+    if not module.in_c or module.on("pairs"):
         return []
-    both = [one for one in module.kernels if one.in_c and one.enclosed and not one.parameters]
+    both = [one for one in module.kernels if one.in_c and "intervals" in one.arithmetics and not one.parameters]
     lines = sum(len(program.lets) + len(program.outputs) for one in both for program in code[one.name])
     return [view(one, code[one.name], AS_OPERATORS) for one in both] if lines >= LEAST_SAVED else []
 

@@ -99,7 +99,7 @@ def text(module: Module, code: Code) -> str:
             regimes=regimes(module),
             measured=measured.of(module),
             enclosed=[view(kernel, code[kernel.name], ENCLOSED) for kernel in module.on_intervals],
-            has_balls=module.native and bool(module.in_balls),
+            has_balls=module.native and bool(module.on("balls")),
             constants={name: constant(value) for name, value in module.constants.items()},
             compiled=module.native and any(one not in module.from_c for one in module.looped),
             heading=heading(module),

@@ -1,6 +1,6 @@
 """Kernels in double-double, printed for `generic`, and their arctangent's series.
 
-In:  `Module`s with the straight-line code of their kernels; of these the kernels that say `paired`, and `settled`.
+In:  `Module`s with the straight-line code of their kernels.
 Out: `KernelView`s of C; the series' file by its name (below `generated/`).
 
 A kernel that says which lets are to be pairs computes what follows from these in doubles. Where a kernel has a series
@@ -36,9 +36,8 @@ def files() -> dict[str, str]:
 
 def in_c(module: Module, code: Code) -> list[KernelView]:
     """The kernels in C, printed."""
-    paired = (*(one for one in (*module.kernels, *module.cells) if one.paired), *module.settled)
     # on intervals what a series leaves out is more than nothing
-    return [interval.widened(near(kernel, code)) for kernel in paired]
+    return [interval.widened(near(kernel, code)) for kernel in module.on("pairs")]
 
 
 def name_of(module: Module) -> str:

@@ -53,7 +53,7 @@ class Recorder(Encoder):
         module = self.module
         assert module.record is not None
         mechanism = module.record.mechanism
-        exact, bent = bool(module.cells), module.enclosed is not None
+        exact, bent = module.is_proved, module.enclosed is not None
         self.integers += [PROGRAM_FORM, len(mechanism.design), len(mechanism.parameters), len(mechanism.breakpoints)]
         self.integers += [bool(module.sums), bent, exact, exact and not bent]
         self.numbers += [float(mechanism.reach), float(module.record.harmonics_up_to)]
@@ -135,9 +135,7 @@ class Recorder(Encoder):
 
     def in_pairs(self, name: str) -> Function:
         """A kernel in double-double."""
-        module = self.module
-        kernels = (*(one for one in (*module.kernels, *module.cells) if one.paired), *module.settled)
-        printed = pair.near(named(kernels, name), self.code)
+        printed = pair.near(named(self.module.on("pairs"), name), self.code)
         show, far = CALLS.doprint, literal(FAR_IN_PAIRS)
         sides = [
             [(f"TIMES({far}, {show(one)})", show(other)) for one, other in branch.guards]
@@ -147,9 +145,7 @@ class Recorder(Encoder):
 
     def on_intervals(self, name: str) -> Function:
         """A kernel on intervals."""
-        module = self.module
-        kernels = (*(one for one in module.kernels if one.enclosed), *module.cells)
-        printed = interval.on_interval(named(kernels, name), self.code[name])
+        printed = interval.on_interval(named(self.module.on("intervals"), name), self.code[name])
         show = CALLS.doprint
         sides = [
             [(show(one), show(other)) for one, other in branch.guards if not other.is_Symbol]
