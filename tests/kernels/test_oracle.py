@@ -2,8 +2,9 @@
 
 import json
 import random
+from collections.abc import Callable
 from fractions import Fraction
-from functools import cache
+from functools import cache, partial
 from itertools import pairwise
 
 import numpy as np
@@ -12,6 +13,7 @@ from flint import arb, fmpq, fmpq_poly
 from mpmath import mp, mpf
 
 from tests.files import stored
+from tests.oracles import inertia, make_damped, make_sided
 from tests.oracles import make_random_isolators as generator
 from tests.oracles.averaged import BITS, CORNER, DETACHED, Oscillator, bezout
 from tests.oracles.certified_roots import isolate, polynomial_roots, precision
@@ -180,10 +182,20 @@ def ratio(x: list | str) -> tuple[int, int]:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("index", [8, 17])
-def test_one_case_again(index: int) -> None:
-    """The committed file is what the generator writes."""
-    assert json.loads(json.dumps(generator.isolator_case(index))) == cases("random_isolators")[index]
+@pytest.mark.parametrize(
+    ("file", "index", "case"),
+    [
+        *((file, 8, partial(generator.drawn_case, file)) for file in generator.FILES),
+        ("random_isolators", 17, partial(generator.drawn_case, "random_isolators")),
+        ("damped_contact", 7, partial(make_damped.case, "contact")),
+        ("damped_base", 3, make_damped.shaken_case),
+        ("inertia", 8, partial(inertia.case, "duffing")),
+        ("sided", 8, partial(make_sided.case, "sided", "stop")),
+    ],
+)
+def test_one_case_again(file: str, index: int, case: Callable[[int], dict]) -> None:
+    """The committed files are what their generators write."""
+    assert json.loads(json.dumps(case(index))) == cases(file)[index]
 
 
 def test_all_kinds_are_among_the_data() -> None:

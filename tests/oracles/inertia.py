@@ -65,7 +65,7 @@ def case(mechanism: str, index: int) -> dict:
     """Random oscillator number `index`, at an F_0 of 0.3 to 3 times that of its lowest cusp, below u_cr."""
     rng = random.Random(f"{SEED} inertia {mechanism} {index}")
     is_rod = mechanism == "rod_spring"
-    parameters = draw_isolator(rng, lambda: rng.uniform(0.02, 0.97)) if is_rod else draw_duffing(rng, index)
+    parameters = draw_isolator(rng) if is_rod else draw_duffing(rng, index)
     oscillator = shaken(RodSpring if is_rod else Duffing)(**parameters)
     cusps = oscillator.cusps
     F_0 = log_uniform(rng, 0.3, 3) * (float(cusps[0].F_0.mid()) if cusps else 0.05)

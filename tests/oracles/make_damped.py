@@ -38,7 +38,7 @@ class ReleasedRod(RodSpring):
 
 def drawn(law: str, index: int, rod: bool, bare: bool, rng: random.Random) -> dict[str, float]:
     """Numbers of an isolator, or of Duffing oscillator number `index`; a bare one has no viscous damping if it can."""
-    design = draw_isolator(rng, lambda: rng.uniform(0.02, 0.97)) if rod else draw_duffing(rng, index)
+    design = draw_isolator(rng) if rod else draw_duffing(rng, index)
     bare = bare and law != "contact" and design.get("beta", 1.0) > 0
     parameters = {
         **design,

@@ -12,16 +12,15 @@ the forces on a base are those whose slope has a bound.
 from __future__ import annotations
 
 import random
-from typing import Any
 
 from flint import arb
 
 from tests.files import store
-from tests.oracles.averaged import BITS, digits, exact
+from tests.oracles.averaged import BITS, exact
 from tests.oracles.certified_roots import precision
 from tests.oracles.inertia import ByInertia
 from tests.oracles.make_random_isolators import SEED, answered, encoded, log_uniform
-from tests.oracles.make_sided import Parametrized, Stop, drawn
+from tests.oracles.make_sided import Parametrized, Stop, drawn, with_mean
 
 #: excitation, laws, force, and how many of these
 COUNTS = (
@@ -68,10 +67,6 @@ def case(excitation: str, laws: tuple[str, ...], force: str, index: int) -> dict
     at = [float(p.Omega.mid()) for p in folds]
     among = rng.uniform(at[0], at[-1]) if len(at) > 1 else base * rng.uniform(0.9, 1.3)
 
-    def mean(p: Any) -> dict:
-        with precision(BITS):
-            return {"A": digits(p.A), "B": digits(sign * oscillator.mean(p.A))}
-
     frequencies = among, base * rng.uniform(0.8, 2)
     oscillator.ask(F_0, frequencies)
     return {
@@ -79,7 +74,7 @@ def case(excitation: str, laws: tuple[str, ...], force: str, index: int) -> dict
         "force": force,
         "parameters": {name: encoded(value) for name, value in {**user, **damping}.items()},
         "F_0": encoded(F_0),
-        **answered(oscillator, folds, F_0, frequencies, "Omega kind", "phi stable", mean),
+        **answered(oscillator, folds, F_0, frequencies, "Omega kind", "phi stable", with_mean(oscillator, sign)),
     }
 
 

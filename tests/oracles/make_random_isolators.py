@@ -12,6 +12,7 @@ import math
 import random
 from collections.abc import Callable, Sequence
 from fractions import Fraction
+from functools import partial
 from multiprocessing import Pool
 from typing import Any
 
@@ -24,20 +25,19 @@ from tests.oracles.certified_roots import precision
 from tests.oracles.conditioning import Condition, Conditioning
 
 SEED = "slowflow 2025"
-ISOLATORS, DUFFINGS, NEGATIVE = 200, 20, 10
 MECHANISMS: dict[str, type[Oscillator]] = {"rod_spring": RodSpring, "duffing": Duffing}
 
 
 # ---- the draws -----------------------------------------------------------------------------------------------------
 
 
-def draw_isolator(rng: random.Random, share_of_qzs: Callable[[], float]) -> dict[str, float]:
-    """lam 1-4 (half of them integer), r 0.4-4, delta_h a share of its quasi-zero-stiffness value and below 0.9."""
+def draw_isolator(rng: random.Random, fraction: tuple[float, float] = (0.02, 0.97)) -> dict[str, float]:
+    """lam 1-4 (half of them integer), r 0.4-4, delta_h a fraction of its quasi-zero-stiffness value and below 0.9."""
     lam = float(rng.randint(1, 4)) if rng.random() < 0.5 else rng.uniform(1, 4)
     r = delta_h = math.inf
     while not delta_h < 0.9:
         r = rng.uniform(0.4, 4)
-        delta_h = share_of_qzs() / (lam * r)
+        delta_h = rng.uniform(*fraction) / (lam * r)
     return {"lam": lam, "r": r, "delta_h": delta_h, **draw_damping(rng, 0.15)}
 
 
@@ -218,24 +218,19 @@ def case_record(
 # ---- the files -------------------------------------------------------------------------------------------------------
 
 
-def isolator_case(index: int) -> dict:
-    """Random isolator number `index`."""
-    rng = random.Random(f"{SEED} isolator {index}")
-    parameters = draw_isolator(rng, lambda: rng.uniform(0.02, 0.97))
-    return case_record("rod_spring", parameters, None, rng)
+#: by file: a word of the seed, mechanism, how many, what draws numbers; stiffness is negative above a fraction of 1
+FILES: dict[str, tuple[str, str, int, Callable[[random.Random, int], dict[str, float]]]] = {
+    "random_duffing": ("duffing", "duffing", 20, draw_duffing),
+    "negative_stiffness": ("negative", "rod_spring", 10, lambda rng, _: draw_isolator(rng, (1.01, 1.5))),
+    "random_isolators": ("isolator", "rod_spring", 200, lambda rng, _: draw_isolator(rng)),
+}
 
 
-def duffing_case(index: int) -> dict:
-    """Random Duffing oscillator number `index`."""
-    rng = random.Random(f"{SEED} duffing {index}")
-    return case_record("duffing", draw_duffing(rng, index), None, rng)
-
-
-def negative_case(index: int) -> dict:
-    """Random isolator with delta_h between 1 and 1.5 times its quasi-zero-stiffness value."""
-    rng = random.Random(f"{SEED} negative {index}")
-    parameters = draw_isolator(rng, lambda: rng.uniform(1.01, 1.5))
-    return case_record("rod_spring", parameters, None, rng)
+def drawn_case(file: str, index: int) -> dict:
+    """Random oscillator number `index` of a file."""
+    word, mechanism, _, draw = FILES[file]
+    rng = random.Random(f"{SEED} {word} {index}")
+    return case_record(mechanism, draw(rng, index), None, rng)
 
 
 def table_1_cases() -> list[dict]:
@@ -255,12 +250,8 @@ def table_1_cases() -> list[dict]:
 def main() -> None:
     store("table_1", table_1_cases())
     with Pool(2) as pool:
-        for name, make, count in (
-            ("random_duffing", duffing_case, DUFFINGS),
-            ("negative_stiffness", negative_case, NEGATIVE),
-            ("random_isolators", isolator_case, ISOLATORS),
-        ):
-            store(name, pool.map(make, range(count), chunksize=1))
+        for file, (_, _, count, _) in FILES.items():
+            store(file, pool.map(partial(drawn_case, file), range(count), chunksize=1))
 
 
 if __name__ == "__main__":

@@ -36,9 +36,8 @@ from flint import arb, arb_series, ctx
 from tests.files import store
 from tests.oracles.averaged import ATTACHED, BITS, DETACHED, Jet, Point, digits, exact, with_slopes
 from tests.oracles.certified_roots import isolate, precision
-from tests.oracles.conditioning import Conditioning
-from tests.oracles.make_random_isolators import SEED, answered, encoded, log_uniform, row
-from tests.oracles.make_stated import Bent, Stated
+from tests.oracles.make_random_isolators import SEED, encoded, log_uniform
+from tests.oracles.make_stated import HIGHEST, Bent, Stated, reference_case
 
 #: cases of each force
 EACH = {"stop": 12, "springs": 12, "even": 12}
@@ -47,8 +46,6 @@ CURVED = {"exponential": 17, "hyperbolic": 13}
 TERMS = 400
 #: coefficients of a Taylor series beyond those that are asked for
 MORE = 3
-#: above 4 mu/pi: up to there onsets are looked for
-HIGHEST = 0.15
 
 
 class Parametrized(Stated):
@@ -71,30 +68,26 @@ class Parametrized(Stated):
         """Of the force where the mass rests."""
         raise NotImplementedError
 
-    @property
-    def last(self) -> arb:
-        """The parameter tends to it as A grows."""
-        raise NotImplementedError
-
     def at(self, x: Any) -> tuple[Any, ...]:
         """A, h, h_A, h_AA w and w, of a ball or a series."""
         raise NotImplementedError
 
     def apart(self, x: arb_series) -> arb:
         """h/A - h_A."""
-        raise NotImplementedError
+        A, h, h_A, *_ = self.at(x)
+        return (h / A - h_A)[0]
 
     def mean(self, A: arb) -> arb:
         """B."""
         raise NotImplementedError
 
     def place(self, A: arb) -> arb:
-        """The parameter of an amplitude, A a ball."""
+        """The parameter of an amplitude, A a ball: an angle, from some one on which there is none."""
         ctx.cap = 2
-        low, high = 0.0, float(self.last.mid()) * (1 - 1e-12)
+        low, high = 0.0, math.pi
         for _ in range(60):
             middle = 0.5 * (low + high)
-            low, high = (middle, high) if self.at(arb_series([arb(middle), 1]))[0][0] < A.mid() else (low, middle)
+            low, high = (middle, high) if A.mid() / self.at(arb_series([arb(middle), 1]))[0][0] > 1 else (low, middle)
         x = arb(0.5 * (low + high))
         for _ in range(9):
             value = self.at(arb_series([x, 1]))[0]
@@ -171,17 +164,6 @@ class Stop(Parametrized):
     def edge(self) -> arb:
         return self._p("g") - self._p("load") / self._p("a")
 
-    @property
-    def last(self) -> arb:
-        """Where a cos(theta) = k L."""
-        low, high = 0.0, math.pi
-        a, k = float(self._p("a").mid()), float(self._p("k").mid())
-        for _ in range(200):
-            theta = 0.5 * (low + high)
-            rises = a * math.cos(theta) - k * (math.sin(theta) - theta * math.cos(theta)) / math.pi > 0
-            low, high = (theta, high) if rises else (low, theta)
-        return arb(low)
-
     def at(self, x: Any) -> tuple[Any, ...]:
         a, k, pi = self._p("a"), self._p("k"), arb.pi()
         sine, cosine = x.sin(), x.cos()
@@ -192,11 +174,6 @@ class Stop(Parametrized):
         h_A = -slope - 2 * k / pi * sine * D / E
         turn = -2 * k / pi * (sine * sine + (cosine * D - sine * sine * E) / E - k / pi * sine * D / (E * E))
         return A, -A * slope, h_A, turn * D * D / (G * E), sine
-
-    def apart(self, x: arb_series) -> arb:
-        a, k, pi = self._p("a"), self._p("k"), arb.pi()
-        slope = a + k / pi * (x - x.sin() * x.cos())
-        return (-slope - self.at(x)[2])[0]
 
     def mean(self, A: arb) -> arb:
         with precision(BITS):
@@ -272,10 +249,6 @@ class Curved(Parametrized):
     def __init__(self, **parameters: Any) -> None:
         super().__init__(**parameters)
         self._known: dict[Any, arb] = {}
-
-    @property
-    def last(self) -> arb:
-        return arb(2) ** 10
 
     def place(self, A: arb) -> arb:
         return A
@@ -465,41 +438,14 @@ def drawn(force: str, rng: random.Random, index: int) -> tuple[dict[str, float],
     return user, Stop(a=a, k=k, g=g, load=pull, **damping), sign
 
 
-def reference_case(
-    rng: random.Random, oscillator: Parametrized, base: float, above: tuple[float, float], sign: int = 1
-) -> dict:
-    """Its onset, and its folds and states at one forcing that is drawn.
+def with_mean(oscillator: Parametrized, sign: int) -> Callable[[Any], dict[str, str]]:
+    """What is recorded first of a point: A and B, whose sign is another where a user has the mirror image."""
 
-    base, above -- a frequency, and between which multiples of it one is drawn where there is no pair of folds
-    sign        -- of B where the oscillator is the mirror image of what a user gives
-    """
-    m = float(oscillator.m.mid())
-    oscillator.ask(m + HIGHEST, [1.0])
-    extrema = [p for p in oscillator.extrema if p.F_0 < oscillator.level]
-    onset = next((p for p in extrema if p.sense == "min"), None)
-    F_0 = m + log_uniform(rng, 0.02, HIGHEST)
-    if onset is not None:
-        F_0 = min(float(onset.F_0.mid()) * rng.choice([1.02, rng.uniform(1.1, 3), rng.uniform(1.1, 3)]), m + HIGHEST)
-    folds = oscillator.folds(F_0)
-    if len(folds) != oscillator.fold_count(F_0):
-        raise AssertionError(f"{oscillator.parameters} {F_0}: {len(folds)} folds, not {oscillator.fold_count(F_0)}")
-    at = [float(p.Omega.mid()) for p in folds]
-    frequencies = [
-        rng.uniform(at[0], at[-1]) if len(at) > 1 else base * rng.uniform(*above),
-        base * rng.uniform(0.8, 2),
-    ]
-    oscillator.ask(F_0, frequencies)
-
-    def mean(p: Any) -> dict:
+    def both(p: Any) -> dict[str, str]:
         with precision(BITS):
             return {"A": digits(p.A), "B": digits(sign * oscillator.mean(p.A))}
 
-    lowest = onset and row(onset, "F_0 Omega", Conditioning(oscillator).extremum(onset))
-    return {
-        "F_0": encoded(F_0),
-        "onset": lowest and {**mean(onset), "F_SN": lowest.pop("F_0"), **lowest},
-        **answered(oscillator, folds, F_0, frequencies, "Omega kind", "phi stable", mean),
-    }
+    return both
 
 
 def case(file: str, force: str, index: int) -> dict:
@@ -512,7 +458,9 @@ def case(file: str, force: str, index: int) -> dict:
         base, above = math.sqrt(float(slope.mid())), (1.0, 1.4)
     else:
         base, above = float(slope.sqrt().mid()), (0.9, 1.3)
-    return {"force": force, "parameters": parameters, **reference_case(rng, oscillator, base, above, sign)}
+    F_0, names = float(oscillator.m.mid()) + log_uniform(rng, 0.02, HIGHEST), ("Omega", "Omega kind", "phi stable")
+    known = reference_case(rng, oscillator, F_0, base, above, names, with_mean(oscillator, sign))
+    return {"force": force, "parameters": parameters, **known}
 
 
 if __name__ == "__main__":

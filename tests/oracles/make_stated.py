@@ -451,6 +451,43 @@ class Stated(Oscillator):
         return []
 
 
+def reference_case(
+    rng: random.Random,
+    oscillator: Stated,
+    F_0: float,
+    base: float,
+    above: tuple[float, float],
+    names: tuple[str, str, str] = ("Omega A kind", "Omega A kind", "A phi stable"),
+    before: Callable[[Any], dict[str, Any]] = lambda one: {},
+    at_rest: bool = False,
+) -> dict[str, Any]:
+    """Its onset, and its folds and states at one forcing, which is drawn next to the onset where there is one.
+
+    base, above   -- a frequency, and between which multiples of it one is drawn where there is no pair of folds
+    names, before -- what is recorded of the onset, folds and states, and before that of each
+    at_rest       -- whether folds begin at rest, so that there is no onset
+    """
+    most, onset = float(oscillator.m.mid()) + HIGHEST, None
+    oscillator.ask(F_0 if at_rest else most, [1.0])
+    if not at_rest:
+        onset = next((p for p in oscillator.extrema if p.sense == "min" and p.F_0 < oscillator.level), None)
+    if onset is not None:
+        F_0 = min(float(onset.F_0.mid()) * rng.choice([1.02, rng.uniform(1.1, 3), rng.uniform(1.1, 3)]), most)
+    folds = oscillator.folds(F_0)
+    if not at_rest and len(folds) != oscillator.fold_count(F_0):
+        raise AssertionError(f"{oscillator.parameters} {F_0}: {len(folds)} folds, not {oscillator.fold_count(F_0)}")
+    at = [float(p.Omega.mid()) for p in folds]
+    among = rng.uniform(at[0], at[-1]) if len(at) > 1 else base * rng.uniform(*above)
+    frequencies = [among, base * rng.uniform(0.8, 2)]
+    oscillator.ask(F_0, frequencies)
+    lowest = onset and row(onset, f"F_0 {names[0]}", Conditioning(oscillator).extremum(onset))
+    return {
+        "F_0": encoded(F_0),
+        "onset": lowest and {**before(onset), "F_SN": lowest.pop("F_0"), **lowest},
+        **answered(oscillator, folds, F_0, frequencies, *names[1:], before),
+    }
+
+
 def case(name: str, force: Force, index: int, kind: type[Stated] = Stated) -> dict:
     """One oscillator: its onset, and its folds and states at one forcing."""
     rng = random.Random(f"{SEED} stated {name} {index}")
@@ -460,37 +497,14 @@ def case(name: str, force: Force, index: int, kind: type[Stated] = Stated) -> di
         "zeta": log_uniform(rng, 0.02, 0.06),
     }
     oscillator = type(name, (kind,), {"force_": force})(**parameters)
-    onset = None
-    m = float(oscillator.m.mid())
-    F_0 = m + log_uniform(rng, 0.03, 0.2)
+    F_0 = float(oscillator.m.mid()) + log_uniform(rng, 0.03, 0.2)
     if "preload" in name:
         F_0 += 4 / math.pi * parameters["c"]
-    if not force.at_rest:
-        oscillator.ask(m + HIGHEST, [1.0])
-        onset = next((p for p in oscillator.extrema if p.sense == "min" and p.F_0 < oscillator.level), None)
-        if onset is not None:
-            F_0 = min(
-                float(onset.F_0.mid()) * rng.choice([1.02, rng.uniform(1.1, 3), rng.uniform(1.1, 3)]), m + HIGHEST
-            )
-    else:
-        oscillator.ask(F_0, [1.0])
-    folds = oscillator.folds(F_0)
-    if not force.at_rest and len(folds) != oscillator.fold_count(F_0):
-        raise AssertionError(f"{name} {parameters} {F_0}: {len(folds)} folds, {oscillator.fold_count(F_0)} counted")
-    at = [float(p.Omega.mid()) for p in folds]
     base = float(oscillator.least_slope.sqrt().mid())
-    frequencies = [
-        rng.uniform(at[0], at[-1]) if len(at) > 1 else base * rng.uniform(0.9, 1.3),
-        base * rng.uniform(0.8, 2),
-    ]
-    oscillator.ask(F_0, frequencies)
-    lowest = onset and row(onset, "F_0 Omega A kind", Conditioning(oscillator).extremum(onset))
     return {
         "force": name,
         "parameters": {k: encoded(v) for k, v in parameters.items()},
-        "F_0": encoded(F_0),
-        "onset": lowest and {"F_SN": lowest.pop("F_0"), **lowest},
-        **answered(oscillator, folds, F_0, frequencies, "Omega A kind"),
+        **reference_case(rng, oscillator, F_0, base, (0.9, 1.3), at_rest=force.at_rest),
     }
 
 
