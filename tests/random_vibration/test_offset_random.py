@@ -227,6 +227,25 @@ def test_small_motions_have_the_mean_of_the_exact_density(case, stop):
     assert found.u_rms[0] == pytest.approx(rms, rel=2e-3)
 
 
+@pytest.mark.parametrize("S_0", (1e-10, 1e-13, 1e-16))
+def test_smallest_motions_are_those_about_the_equilibrium(S_0):
+    """u + u^3 = load: u_rms^2 is pi S_0/(c k) but for terms of 1 + 3 u_rms^2/u^2, and digits that the mean takes."""
+    one = Duffing(1.0, 1.0, zeta=0.05, load=0.3)
+    rest = brentq(lambda u: u + u**3 - 0.3, 0.0, 0.3, xtol=1e-16)
+    k = 1 + 3 * rest**2
+    rms = math.sqrt(math.pi * S_0 / (0.1 * k))
+    found = one.random(S_0=S_0)
+    near = 10 * (rms / rest) ** 2 + 1e-15 * rest / rms
+    assert found.u_rms == pytest.approx([rms], rel=near)
+    assert found.B == pytest.approx([rest], rel=near)
+    with pytest.raises(ArithmeticError, match="too small beside its mean"):
+        one.random(S_0=1e-12 * S_0)
+    assert one.many(alpha=1.0, beta=1.0, mu=0.0, zeta=0.05, load=0.3).random(S_0=[S_0, 1e-12 * S_0]).count.tolist() == [
+        1,
+        0,
+    ]
+
+
 @pytest.mark.parametrize("excitation", ({"S_0": 1e-3}, {"psd": FLOOR}))
 @pytest.mark.parametrize("case", range(2))
 def test_gradient_about_a_mean_is_that_of_its_answers(case, excitation, stop):

@@ -41,6 +41,10 @@ STUCK = "friction holds the mass nearly all of the time: no linear damping is eq
 NOT_PUSHED_BACK = (
     "random vibration about a mean needs a spring force that exceeds the load far from the centre, on both sides"
 )
+TOO_SMALL = (
+    "the motion is too small beside its mean for double precision: it is that of a linear oscillator about the "
+    "equilibrium, which rest() has"
+)
 GIVES_WAY = (
     "there is no equivalent linear oscillator: on average the spring pushes away from the centre, or is too weak to "
     "hold the mass"
@@ -152,7 +156,7 @@ def stationary(system: EquationOfMotion, excitation: Excitation) -> dict[str, Fl
     boundary.begin()
     *left, found = EXACT.stationary(handle(system), excitation.for_C)
     if left[0] < 0:
-        raise NotSettled(STUCK if left[0] > -2 else NOT_PUSHED_BACK)
+        raise NotSettled({-1: STUCK, -2: NOT_PUSHED_BACK, -3: TOO_SMALL}[left[0]])
     if left[0]:
         raise NotSettled(UNDECIDED.format(*left))
     if not found:

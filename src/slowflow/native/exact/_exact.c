@@ -539,7 +539,7 @@ static PyObject *moments(PyObject *self, PyObject *arguments) {
     return PyBytes_FromStringAndSize((const char *)found, sizeof found);
 }
 
-/* (k and c next to which there may be others, or 0, k = -1 where friction holds the mass; an sf_stationary each, as
+/* (k and c next to which there may be others, or 0, k < 0 by the reason why nothing is known; an sf_stationary each, as
  * bytes), of the power of white noise or a table */
 static PyObject *stationary(PyObject *self, PyObject *arguments) {
     PyObject *excitation;

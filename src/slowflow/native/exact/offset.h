@@ -8,7 +8,8 @@
  *
  * and as E[He_n^2] = n! what higher orders add is bounded by the mean square of the force (derivations/extensions/
  * linearization.py). So one pass over the force bounds both equations and their slopes on a box of m and ln(sigma): it
- * holds no motion, or one by the interval Newton method, or it is cut.
+ * holds no motion, or one by the interval Newton method, or it is cut. So is one that is wide beside sigma, unless
+ * f - load has one sign wherever its motions are.
  *
  * Boxes cover all motions with displacements up to SF_ABOVE times the sizes that there are: how the force pushes
  * back bounds m and sigma, its slopes and jumps bound k, and that bounds sigma from below: under white noise by
@@ -34,12 +35,20 @@ enum { SF_ORDERS = 12, SF_TAIL = 56, SF_SLOPES = 4, SF_MOST_BOXES = 200000 };
  * and above the sizes that there are; every so many bounds are tried */
 enum { SF_FAR_CELLS = 160, SF_MOST_FAR_CELLS = 4 * SF_FAR_CELLS + 8, SF_TRIED = 15, SF_STIFFNESSES = 64 };
 #define SF_SOFTER 40.0
+/* of f and of the load: how far their difference may be off; over the mean: a sigma at which few digits of it are left
+ */
+#define SF_CANCELS 0x1p-50
+#define SF_TOO_SMALL 0x1p-26
+/* over the largest size that there is: the least one that cells tell from 0; of ln(sigma): where doubles end */
+#define SF_TINY 1e-12
+#define SF_LOWEST (-700.0)
 #define SF_BELOW 1e-4
 #define SF_ABOVE 1e6
 
-/* at a mean and a sigma: A_n, the mean square of f - load, and the square root of what of that is in higher orders */
+/* at a mean and a sigma: A_n, the mean square of f - load, how far A_0 may be off, and the square root of what of the
+ * mean square is in higher orders */
 typedef struct {
-    double mean, sigma, A[SF_ORDERS], square, rest;
+    double mean, sigma, A[SF_ORDERS], square, error, rest;
 } sf_about;
 
 static void sf_add_about(const sf_piece *piece, double load, double low, double high, sf_about *to) {
@@ -81,7 +90,9 @@ static sf_about sf_averages_about(const sf_system *system, double mean, double s
     double rest = found.square, factorial = 1.0;
     for (int n = 0; n < SF_ORDERS; factorial *= ++n)
         rest -= found.A[n] * found.A[n] / factorial;
-    found.rest = sqrt(fmax(rest, 0.0)) + SF_ERROR * sqrt(found.square);
+    /* of the averages, and of f - load itself */
+    found.error = SF_ERROR * sqrt(found.square) + SF_CANCELS * (fabs(system->load) + fabs(found.A[1] / sigma * mean));
+    found.rest = sqrt(fmax(rest, 0.0)) + found.error;
     return found;
 }
 
@@ -91,14 +102,13 @@ static void sf_slopes_about(const sf_about *at, double d, double e, sf_ends G[SF
     h[0] = 1.0, h[1] = d;
     for (int j = 1; j + 1 < SF_TAIL; j++)
         h[j + 1] = (d * h[j] + e * h[j - 1]) / (j + 1);
-    const double error = SF_ERROR * sqrt(at->square);
     for (int n = 0; n < SF_SLOPES; n++) {
         double radius = 0.0, tail = 0.0, factorial = 1.0;
         for (int j = 1; j <= n; j++)
             factorial *= j;
         for (int j = 0; j < SF_TAIL - SF_SLOPES; factorial *= n + ++j) {
             if (n + j < SF_ORDERS)
-                radius += h[j] * ((j ? fabs(at->A[n + j]) : 0.0) + error * sqrt(factorial));
+                radius += h[j] * ((j ? fabs(at->A[n + j]) : 0.0) + at->error * sqrt(factorial));
             else
                 tail += factorial * h[j] * h[j];
         }
@@ -107,10 +117,96 @@ static void sf_slopes_about(const sf_about *at, double d, double e, sf_ends G[SF
     }
 }
 
+/* Where |u| is in a cell on one side of 0, with how much f - load pushes back there at least, and its largest slope. */
+typedef struct {
+    double near, far, push, slope;
+} sf_far_cell;
+
+/* Cells up to far from 0. nearest, grows: up to where from 0 one is, and by how much |u| grows in others; P: Legendre
+ * polynomials, by order and node of Gauss's rule */
+typedef struct {
+    int count;
+    double nearest, grows;
+    sf_far_cell at[SF_MOST_FAR_CELLS];
+    double P[SF_IN_PART][SF_IN_PART];
+} sf_far_cells;
+
+static inline double sf_in_cell(int j) { return j < SF_NODES ? -sf_gauss_node[j] : sf_gauss_node[j - SF_NODES]; }
+
+static void sf_put_legendre(sf_far_cells *to) {
+    for (int j = 0; j < SF_IN_PART; j++) {
+        to->P[0][j] = 1.0, to->P[1][j] = sf_in_cell(j);
+        for (int n = 1; n + 1 < SF_IN_PART; n++)
+            to->P[n + 1][j] = ((2 * n + 1) * to->P[1][j] * to->P[n][j] - n * to->P[n - 1][j]) / (n + 1);
+    }
+}
+
+/* What a cell is known of, where the mean of f - load and by how much it varies at most. */
+typedef struct {
+    double mean, varies, slope;
+} sf_cell;
+
+/* By its Legendre series, as |P_n| is at most 1 and its slope n (n + 1)/2. Polynomials have no other orders, up to a
+ * degree of 7; of other forces these are taken to add as much as SF_IN_PART times the last two at most. */
+static sf_cell sf_cell_of(const sf_piece *piece, double load, double low, double high, const sf_far_cells *of) {
+    const double m = 0.5 * (low + high), h = 0.5 * (high - low);
+    double f[SF_IN_PART], steepest = 0.0;
+    sf_cell found = {0.0, 0.0, 0.0};
+    for (int j = 0; j < SF_IN_PART; j++)
+        f[j] = sf_gauss_weight[j % SF_NODES] * (sf_value(piece, m + h * sf_in_cell(j)) - load);
+    for (int n = 0; n < SF_IN_PART; n++) {
+        double of_n = 0.0;
+        for (int j = 0; j < SF_IN_PART; j++)
+            of_n += (n + 0.5) * f[j] * of->P[n][j];
+        const double size = fabs(of_n) * (n + 2 < SF_IN_PART ? 1 : 1 + SF_IN_PART);
+        if (n == 0)
+            found.mean = of_n;
+        else
+            found.varies += size;
+        steepest += n == 1 ? of_n : 0.5 * n * (n + 1) * size;
+    }
+    found.slope = steepest / h;
+    return found;
+}
+
+static void sf_put_cell(const sf_piece *piece, double load, double low, double high, sf_far_cells *to) {
+    const double side = low < 0.0 ? -1.0 : 1.0;
+    const sf_cell of = sf_cell_of(piece, load, low, high, to);
+    if (isnan(of.mean)) /* there is no force */
+        return;
+    sf_far_cell cell = {fmin(fabs(low), fabs(high)), fmax(fabs(low), fabs(high)), side * of.mean - of.varies, of.slope};
+    if (to->count > 0) { /* of narrow pieces next to each other what is worst */
+        const sf_far_cell *const last = &to->at[to->count - 1];
+        const double near = fmin(last->near, cell.near), far = fmax(last->far, cell.far);
+        if (far <= to->grows * fmax(near, to->nearest)) {
+            cell = (sf_far_cell){near, far, fmin(last->push, cell.push), fmax(last->slope, cell.slope)};
+            to->count--;
+        }
+    }
+    to->at[to->count++] = cell;
+}
+
+/* Of all pieces, in steps away from 0 that grow. */
+static void sf_put_cells(const sf_system *system, double nearest, double farthest, sf_far_cells *to) {
+    const double grows = pow(farthest / nearest, 1.0 / SF_FAR_CELLS);
+    to->nearest = nearest, to->grows = grows;
+    sf_put_legendre(to);
+    for (int i = 0; i < system->pieces; i++) {
+        const double end = i + 1 < system->pieces ? fmin(system->edge[i + 1], farthest) : farthest;
+        for (double u = i ? system->edge[i] : -farthest, next; u < end; u = next) {
+            next = u < -grows * nearest ? u / grows : u < 0.0 ? 0.0 : u < nearest ? nearest : u * grows;
+            if (end - next < 0.5 * (next - u)) /* in a much narrower cell a slope is rounding */
+                next = end;
+            sf_put_cell(&system->piece[i], system->load, u, next, to);
+        }
+    }
+}
+
 /* power: of white noise, or 0; square, v: of the velocity under it, else 0 and by the table; most: of sigma^2 k; soft:
  * a stiffness that is taken for lower ones */
 typedef struct {
     const sf_system *system;
+    const sf_far_cells *cells;
     double power, square, v, most, soft;
     sf_over_u damping;
     sf_linearized by_table;
@@ -158,6 +254,10 @@ static void sf_put_offset(sf_offset *of, double mean, double sigma) {
         at = sf_averages_about(of->system, at.mean + at.sigma * step[0], at.sigma * exp(step[1]));
     }
     sf_motions *const to = of->found;
+    if (at.sigma < SF_TOO_SMALL * fabs(at.mean)) {
+        to->undecided[0] = -3.0;
+        return;
+    }
     int place = 0;
     for (int i = 0; i < to->count && i < to->max_count; i++) {
         if (fabs(to->at[i].mean - at.mean) <= SF_ONE_MOTION * at.sigma &&
@@ -206,16 +306,41 @@ static int sf_shrinks(sf_offset *of, const sf_offset_box *box, double sigma, dou
     return 1;
 }
 
+/* Whether f - load has one sign at all displacements of the motions in a box, so that its mean is not 0: of forces
+ * without powers in boxes no wider than the cells. */
+static int sf_pushes_one_way(const sf_offset *of, const sf_offset_box *box) {
+    const sf_system *const system = of->system;
+    const double reach = SF_OVERLAP * box->width + SF_FARTHEST * exp(box->t + SF_OVERLAP * box->height);
+    const double least = box->mean - reach, most = box->mean + reach;
+    const int wide = 2.0 * reach > (of->cells->grows - 1.0) * fmax(fabs(box->mean) - reach, of->cells->nearest);
+    int signs = 0;
+    for (int i = 0; i < system->pieces; i++)
+        for (int side = -1; side <= 1; side += 2) { /* at u = 0 a law may have another series */
+            const double low = fmax(i ? system->edge[i] : -HUGE_VAL, fmax(least, side < 0 ? -HUGE_VAL : 0.0));
+            const double high =
+                fmin(i + 1 < system->pieces ? system->edge[i + 1] : HUGE_VAL, fmin(most, side < 0 ? 0.0 : HUGE_VAL));
+            if (!(low < high))
+                continue;
+            const sf_cell at = sf_cell_of(&system->piece[i], system->load, low, high, of->cells);
+            if ((wide && system->piece[i].law->powers == NULL) || !(fabs(at.mean) > at.varies))
+                return 0;
+            signs |= at.mean > 0.0 ? 1 : 2;
+        }
+    return signs != 3;
+}
+
 static void sf_search_offset(sf_offset *of, sf_offset_box box) {
     const double sigma = exp(box.t), d = SF_OVERLAP * box.width / sigma, tall = SF_OVERLAP * box.height;
     const int wide = d * SF_MOST_HIGH > tall * SF_MOST_WIDE;
-    if (of->boxes++ >= SF_MOST_BOXES || fmin(d, tall) < SF_NARROW) {
-        of->found->undecided[0] = of->most / (sigma * sigma);
+    const int is_place = d > SF_MOST_WIDE && box.width < SF_NARROW * fabs(box.mean);
+    if (of->boxes++ >= SF_MOST_BOXES || is_place || fmin(d, tall) < SF_NARROW) {
+        of->found->undecided[0] = sigma < SF_TOO_SMALL * fabs(box.mean) ? -3.0 : of->most / (sigma * sigma);
         of->found->undecided[1] = of->square > 0.0 ? of->power / of->square : exp(of->by_table.near.q);
         return;
     }
     if (d > SF_MOST_WIDE || tall > SF_MOST_HIGH) {
-        sf_cut_offset(of, &box, wide);
+        if (!sf_pushes_one_way(of, &box))
+            sf_cut_offset(of, &box, wide);
         return;
     }
     const sf_about at = sf_averages_about(of->system, box.mean, sigma);
@@ -224,8 +349,7 @@ static void sf_search_offset(sf_offset *of, sf_offset_box box) {
     sf_slopes_about(&at, d, square.high - 1.0, G);
     if (!(G[0].low <= 0.0 && G[0].high >= 0.0 && G[1].high > 0.0))
         return;
-    const double lost = SF_ERROR * sqrt(at.square);
-    const sf_ends A_0 = {at.A[0] - lost, at.A[0] + lost}, turns = sf_ends_of_product(square, G[2]);
+    const sf_ends A_0 = {at.A[0] - at.error, at.A[0] + at.error}, turns = sf_ends_of_product(square, G[2]);
     if (G[1].low > 0.0) { /* A_0 alone bounds the mean */
         const sf_ends rest = sf_ends_of_product(turns, height);
         const sf_ends mean = sf_ends_over((sf_ends){-rest.high - A_0.high, -rest.low - A_0.low}, G[1]);
@@ -262,78 +386,6 @@ static void sf_search_offset(sf_offset *of, sf_offset_box box) {
         }
     }
     sf_cut_offset(of, &box, wide);
-}
-
-/* Where |u| is in a cell on one side of 0, with how much f - load pushes back there at least, and its largest slope. */
-typedef struct {
-    double near, far, push, slope;
-} sf_far_cell;
-
-/* Cells up to far from 0. nearest, grows: up to where from 0 one is, and by how much |u| grows in others; P: Legendre
- * polynomials, by order and node of Gauss's rule */
-typedef struct {
-    int count;
-    double nearest, grows;
-    sf_far_cell at[SF_MOST_FAR_CELLS];
-    double P[SF_IN_PART][SF_IN_PART];
-} sf_far_cells;
-
-static inline double sf_in_cell(int j) { return j < SF_NODES ? -sf_gauss_node[j] : sf_gauss_node[j - SF_NODES]; }
-
-static void sf_put_legendre(sf_far_cells *to) {
-    for (int j = 0; j < SF_IN_PART; j++) {
-        to->P[0][j] = 1.0, to->P[1][j] = sf_in_cell(j);
-        for (int n = 1; n + 1 < SF_IN_PART; n++)
-            to->P[n + 1][j] = ((2 * n + 1) * to->P[1][j] * to->P[n][j] - n * to->P[n - 1][j]) / (n + 1);
-    }
-}
-
-/* A cell by its Legendre series, as |P_n| is at most 1 and its slope n (n + 1)/2. Polynomials have no other orders,
- * up to a degree of 7; of other forces these are taken to add as much as SF_IN_PART times the last two at most. */
-static void sf_put_cell(const sf_piece *piece, double load, double low, double high, sf_far_cells *to) {
-    const double m = 0.5 * (low + high), h = 0.5 * (high - low), side = low < 0.0 ? -1.0 : 1.0;
-    double f[SF_IN_PART], mean = 0.0, varies = 0.0, steepest = 0.0;
-    for (int j = 0; j < SF_IN_PART; j++)
-        f[j] = sf_gauss_weight[j % SF_NODES] * (sf_value(piece, m + h * sf_in_cell(j)) - load);
-    for (int n = 0; n < SF_IN_PART; n++) {
-        double of_n = 0.0;
-        for (int j = 0; j < SF_IN_PART; j++)
-            of_n += (n + 0.5) * f[j] * to->P[n][j];
-        const double size = fabs(of_n) * (n + 2 < SF_IN_PART ? 1 : 1 + SF_IN_PART);
-        if (n == 0)
-            mean = side * of_n;
-        else
-            varies += size;
-        steepest += n == 1 ? of_n : 0.5 * n * (n + 1) * size;
-    }
-    if (isnan(mean)) /* there is no force */
-        return;
-    sf_far_cell cell = {fmin(fabs(low), fabs(high)), fmax(fabs(low), fabs(high)), mean - varies, steepest / h};
-    if (to->count > 0) { /* of narrow pieces next to each other what is worst */
-        const sf_far_cell *const last = &to->at[to->count - 1];
-        const double near = fmin(last->near, cell.near), far = fmax(last->far, cell.far);
-        if (far <= to->grows * fmax(near, to->nearest)) {
-            cell = (sf_far_cell){near, far, fmin(last->push, cell.push), fmax(last->slope, cell.slope)};
-            to->count--;
-        }
-    }
-    to->at[to->count++] = cell;
-}
-
-/* Of all pieces, in steps away from 0 that grow. */
-static void sf_put_cells(const sf_system *system, double nearest, double farthest, sf_far_cells *to) {
-    const double grows = pow(farthest / nearest, 1.0 / SF_FAR_CELLS);
-    to->nearest = nearest, to->grows = grows;
-    sf_put_legendre(to);
-    for (int i = 0; i < system->pieces; i++) {
-        const double end = i + 1 < system->pieces ? fmin(system->edge[i + 1], farthest) : farthest;
-        for (double u = i ? system->edge[i] : -farthest, next; u < end; u = next) {
-            next = u < -grows * nearest ? u / grows : u < 0.0 ? 0.0 : u < nearest ? nearest : u * grows;
-            if (end - next < 0.5 * (next - u)) /* in a much narrower cell a slope is rounding */
-                next = end;
-            sf_put_cell(&system->piece[i], system->load, u, next, to);
-        }
-    }
 }
 
 /* How far m and sigma are from 0, where E[(u - m) f] is at most that: from u f >= a |u|^n - c, n = 1 or 2, follows that
@@ -379,7 +431,7 @@ static double sf_lowest_motion(sf_offset *of, const sf_far_cells *cells, double 
         const double L = sf_power_at(of, softest + wide * i, 0.0, SF_NEAREST, &by_p);
         least[i] = i ? fmin(least[i - 1], L) : L;
     }
-    for (; found > top - log(SF_SEARCHED); found -= step) {
+    for (; found > SF_LOWEST; found -= step) {
         const double sigma = exp(found);
         const double p = log(sf_stiffest(of->system, cells, farthest + SF_FARTHEST * sigma, sigma));
         const double up_to = fmax(ceil((p - softest) / wide), 0.0);
@@ -414,10 +466,11 @@ static int sf_offset_motions(const sf_system *system, double power, const sf_tab
             small = fmin(small, fabs(system->edge[i])), large = fmax(large, fabs(system->edge[i]));
     large = fmax(large, fabs(system->load));
     sf_far_cells cells = {0};
-    sf_put_cells(system, small * SF_BELOW, large * SF_ABOVE, &cells);
+    sf_put_cells(system, fmax(small, SF_TINY * large) * SF_BELOW, large * SF_ABOVE, &cells);
     const double farthest = sf_farthest_motion(&cells, of.most);
     if (!(farthest < HUGE_VAL))
         return -1;
+    of.cells = &cells;
     const double top = log(farthest), step = 2.0 * SF_MOST_HIGH / SF_OVERLAP;
     const double lowest = sf_lowest_motion(&of, &cells, farthest, step);
     for (double t = top; t > lowest; t -= step)
