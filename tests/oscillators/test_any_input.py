@@ -22,10 +22,10 @@ from slowflow.app import cli
 from slowflow.averaged.batches import Batch
 from slowflow.oscillators.physical_designs import ManyQuantities
 from slowflow.oscillators.range_checks import Implausible
-from slowflow.support.errors import SlowflowError
+from slowflow.support.errors import SlowflowError, WrongType
 from slowflow_kernels.conventions import Status
 from tests import public_questions
-from tests.files import ROOT
+from tests.files import MOUNT, ROOT
 from tests.public_questions import any_of, anything, columns, numbers
 from tests.sampling import fewer
 
@@ -108,6 +108,25 @@ def asked_all(make, queries, extra=()):
 def test_every_public_question_is_asked_here(kind):
     public = {name for name in dir(kind) if not name.startswith("_") and callable(getattr(kind, name))}
     assert public - public_questions.NO_QUESTIONS == set(public_questions.OF_CLASS[kind])
+
+
+def made(kind):
+    """An oscillator, or many, of a class of `OF_CLASS`."""
+    one, mount = Isolator(lam=3, r=0.7, delta_h=0.1, mu=0.01, zeta=0.02), Isolator.physical(**MOUNT)
+    load = {"lam": 3, "r": 0.7, "delta_h": 0.1, "zeta": [0.02, 0.03]}
+    every = (one, one.second_approximation, one.replace(load=0.02).off_centre, mount, mount.many(m=[12.0, 13.0]))
+    many = (one.many(**load), one.many(**load).second_approximation, one.many(**load, load=0.02))
+    return next(found for found in (*every, *many) if type(found) is kind)
+
+
+@pytest.mark.parametrize("kind", public_questions.OF_CLASS)
+def test_an_unknown_argument_is_refused_with_those_there_are(kind):
+    """By every question, before anything else."""
+    of = made(kind)
+    for name in sorted(set(public_questions.OF_CLASS[kind]) - {"replace"}):
+        one_or_none = r"has no argument 'zetta': it must be one of \w|takes no argument: .*'zetta'"
+        with pytest.raises(WrongType, match=rf"^{name} ({one_or_none})"):
+            getattr(of, name)(zetta=0.1)
 
 
 oscillators = st.tuples(st.just(Isolator), st.fixed_dictionaries(public_questions.ISOLATORS))

@@ -179,12 +179,12 @@ def test_what_many_mounts_cannot_be_asked_is_refused():
         mount.many(m=[20.0, 25.0]).peak(F=xarray.DataArray([20.0, 25.0], dims="F"))
     with pytest.raises(TypeError, match="the amplitude of the excitation is needed once, F in N: got U"):
         mount.many(m=[20.0, 25.0]).peak(U=0.1)
-    with pytest.raises(WrongType, match=r"random takes psd, unit, max_count, workers: .*'S_0'"):
+    with pytest.raises(WrongType, match="no argument 'S_0': it must be one of psd, unit, max_count, workers"):
         mount.many(m=[20.0, 25.0]).random(psd=([1.0, 50.0], [1e-4, 1e-6]), S_0=1.0)
-    with pytest.raises(WrongType, match=r"random takes psd, unit: .*'S_0'"):
+    with pytest.raises(WrongType, match="random has no argument 'S_0': it must be one of psd, unit"):
         mount.random(psd=([1.0, 50.0], [1e-4, 1e-6]), S_0=1.0)
     with pytest.raises(WrongType, match=r"random takes psd, unit: .*'psd'"):
-        mount.random(S_0=1.0)
+        mount.random()
     with pytest.raises(ValueError, match="load"):
         mount.many(load=[20.0, 25.0]).at_rest()
 

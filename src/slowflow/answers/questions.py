@@ -20,6 +20,7 @@ Response = TypeVar("Response")
 Folds = TypeVar("Folds")
 
 
+@validate.methods_check_arguments()
 class Questions(Generic[States, Response, Folds]):
     """The questions about the averaged motions of one oscillator, dimensionless as in (4).
 

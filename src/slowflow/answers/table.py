@@ -267,9 +267,11 @@ def asks(
         }
         _ROWS[name] = Question(name, axes, takes, may, options, argument_axes, kinds)
 
+        refuse_others = validate.checks_arguments(method)
+
         @functools.wraps(method)
         def ask(self: Any, /, *arguments: Any, **named: Any) -> Any:
-            method(self, *arguments, **named)  # only refuses other arguments
+            refuse_others(self, *arguments, **named)
             for one, value in zip(positional, arguments):  # noqa: B905
                 named[one] = value
             return self._ask(name, **{**defaults, **named})

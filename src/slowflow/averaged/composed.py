@@ -6,12 +6,14 @@ from typing import TYPE_CHECKING, Any
 
 from slowflow.answers.questions import Questions
 from slowflow.answers.results import FrequencyResponse, SaddleNodes, SteadyStates
+from slowflow.core import validate
 
 if TYPE_CHECKING:
     from slowflow.averaged import checks
     from slowflow.core.mechanism import Reals
 
 
+@validate.methods_check_arguments()
 class ComposedQuestions(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
     """Questions that combine the averaged answers about one oscillator, from any system."""
 

@@ -291,7 +291,7 @@ def plan(question: str, F_0: float | None, whole: Model, onset: SaddleNodeOnset 
     if vanishing and not whole.laws.any:
         equation = QUADRATIC.format(" = ".join([*vanishing, "0"]))
     else:
-        equation = QUARTIC.format(whole.laws.description() if whole.laws.any else "mu > 0, zeta > 0")
+        equation = QUARTIC.format(whole.laws.description() if whole.laws.any else text("{mu} > 0, zeta > 0"))
     return Plan(question, F_0, whole, (_force(question, F_0, whole), Step("slow flow", True, equation), *steps))
 
 

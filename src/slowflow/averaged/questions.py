@@ -53,6 +53,7 @@ MOST_STEPS = 200
 Answer = TypeVar("Answer", FrequencyResponse, SteadyStates, SaddleNodes, SaddleNodeOnset, Detachment, Peak)
 
 
+@validate.methods_check_arguments()
 class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
     """A forced oscillator u'' + 2 zeta u' + mu sign(u') + f(u) = F_0 cos(Omega tau) (3), averaged.
 

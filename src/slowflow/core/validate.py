@@ -24,6 +24,7 @@ from slowflow_kernels.conventions import HIGHEST_OMEGA
 
 P = ParamSpec("P")
 R = TypeVar("R")
+Kind = TypeVar("Kind", bound=type)
 #: frequencies shown unless others are asked for
 WINDOW = (0.0, 2.0)
 OF_CONSTANT = "a base whose acceleration has a constant amplitude a is a force, {F_0 = m a/(k_v L)|F = m a}"
@@ -200,24 +201,59 @@ def meant(word: Any, known: Iterable[str]) -> str:
     return f". Did you mean {near[0]!r}?" if near else ""
 
 
-def known_arguments(function: Callable[..., Any], named: Iterable[str], known: Sequence[str]) -> None:
+def known_arguments(called: str, named: Iterable[str], known: Sequence[str]) -> None:
     """Refuse an argument that a function does not know, with those that there are and the nearest."""
     for name in named:
         if name not in known:
-            allowed, called = f"{', '.join(known)}{meant(name, known)}", function.__qualname__
-            raise WrongType(f"{called.removesuffix('.__init__')} has no argument {name!r}: it must be one of {allowed}")
+            allowed = f"{', '.join(known)}{meant(name, known)}"
+            raise WrongType(f"{called} has no argument {name!r}: it must be one of {allowed}")
 
 
-def with_known_arguments(function: Callable[P, R]) -> Callable[P, R]:
-    """The same function, which says of an argument that it does not know which ones there are, and which is nearest."""
-    known = [name for name in inspect.signature(function).parameters if name not in ("self", "cls")]
+def bound(
+    called: str, signature: inspect.Signature, arguments: Sequence[Any], named: Mapping[str, Any], *others: str
+) -> inspect.BoundArguments:
+    """The arguments of a function by name; others -- names that it takes as further keywords, if these are known."""
+    parameters = signature.parameters.values()
+    own = [one.name for one in parameters if one.name not in ("self", "cls") and one.kind is not one.VAR_KEYWORD]
+    known = (*own, *others)
+    if known and (others or all(one.kind is not one.VAR_KEYWORD for one in parameters)):
+        known_arguments(called, named, known)
+    try:
+        return signature.bind(*arguments, **named)
+    except TypeError as error:
+        raise WrongType(f"{called} takes {', '.join(known) or 'no argument'}: {error}") from None
+
+
+def checks_arguments(function: Callable[P, R], *others: str) -> Callable[P, R]:
+    """The same function, which refuses unknown, missing and surplus arguments as `bound` does."""
+    code, called = inspect.unwrap(function).__code__, function.__qualname__.removesuffix(".__init__")
+    if code.co_varnames[:1] == ("self",) and function.__name__ != "__init__":
+        called = function.__name__  # the class of a method may be one that its user does not know
+    known = {*code.co_varnames[: code.co_argcount + code.co_kwonlyargcount], *others}
 
     @functools.wraps(function)
-    def wrapper(*args: P.args, **named: P.kwargs) -> R:
-        known_arguments(function, named, known)
-        return function(*args, **named)
+    def checked(*arguments: P.args, **named: P.kwargs) -> R:
+        if others and not known.issuperset(named):
+            bound(called, inspect.signature(function), arguments, named, *others)
+        try:
+            return function(*arguments, **named)
+        except TypeError:  # where the arguments bind it is of what the function does
+            bound(called, inspect.signature(function), arguments, named, *others)
+            raise
 
-    return wrapper
+    return checked
+
+
+def methods_check_arguments(*letters: str) -> Callable[[Kind], Kind]:
+    """A class whose public methods are `checks_arguments`; letters -- what those take that have `**at`."""
+
+    def checking(kind: Kind) -> Kind:
+        for name, one in list(vars(kind).items()):
+            if inspect.isfunction(one) and not name.startswith("_"):
+                setattr(kind, name, checks_arguments(one, *(letters if "at" in one.__annotations__ else ())))
+        return kind
+
+    return checking
 
 
 def _array(name: str, value: Any, allowed: str) -> npt.NDArray[Any]:

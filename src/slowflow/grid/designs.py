@@ -6,6 +6,7 @@ into a Zarr store.
 
 from __future__ import annotations
 
+import inspect
 import pickle
 from collections.abc import Mapping
 from enum import IntEnum
@@ -20,7 +21,7 @@ from slowflow.core import validate
 from slowflow.core.mechanism import Mechanism
 from slowflow.core.model import THROUGHOUT
 from slowflow.grid.block import DIMENSIONLESS, INNER, UNITS_OF, Ask, MapColumn, attributes, made_by
-from slowflow.support.errors import Refused, WrongType
+from slowflow.support.errors import Refused
 from slowflow.support.immutable import Unchanging
 from slowflow_kernels.domains import DAMPING, DISSIPATION
 
@@ -123,12 +124,7 @@ class Grid(Unchanging, ManyQuestions["xarray.Dataset", Any]):
         entry = QUESTIONS[validate.choice("question", question, tuple(QUESTIONS))]
         getattr(self.designs, question)  # or the reason why there is none
         arguments = {name: value for name, value in arguments.items() if value is not None}
-        for name in entry.takes:
-            if name not in arguments:
-                raise WrongType(f"{name} is missing for {question}")
-        for name in arguments:
-            if name not in (*entry.takes, *entry.may, *entry.options):
-                raise WrongType(f"{name} is not an argument of {question}")
+        validate.bound(question, inspect.signature(getattr(ManyQuestions, question)), (self,), arguments)
         options = {name: arguments.pop(name, default) for name, default in self._defaults(entry).items()}
         plain = {self._shown(name): name for name in (*arguments, *options)}
         tables = (name for name, axis in entry.argument_axes.items() if axis == "row" or "tau" in arguments)

@@ -115,6 +115,7 @@ def _kept(answer: Method) -> Method:
     return cast("Method", known)
 
 
+@validate.methods_check_arguments()
 class OffCentre(Unchanging, ComposedQuestions):
     """An averaged oscillator under a static load, or one whose motions may leave the centre.
 

@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import functools
-import inspect
-from collections.abc import Callable, Mapping
-from typing import Any, ParamSpec, TypeVar
+from collections.abc import Mapping
+from typing import Any
 
 from slowflow.answers.quantities import DENSITIES, EXCITED, OF_A_BASE, SI, Scales, si
 from slowflow.answers.table import QUANTITIES
@@ -15,33 +13,10 @@ from slowflow.oscillators import range_checks
 from slowflow.oscillators.measurements import Columns
 from slowflow.support.errors import Refused, WrongType
 
-P = ParamSpec("P")
-R = TypeVar("R")
 #: dimensionless names by those in SI units, where these differ
 PLAIN = {column.si: column.name for column in QUANTITIES.values() if column.si}
 #: warnings of numbers that look as if they were in another unit
 REMARKS = {"f": range_checks.of_frequency, "duration": range_checks.of_duration}
-
-
-def bound(question: str, signature: inspect.Signature, /, *arguments: Any, **named: Any) -> inspect.BoundArguments:
-    """The arguments of a question by name. Raises TypeError, with those it takes, for unknown or missing ones."""
-    try:
-        return signature.bind(*arguments, **named)
-    except TypeError as error:
-        allowed = ", ".join(name for name in signature.parameters if name != "self")
-        raise WrongType(f"{question} takes {allowed}: {error}") from None
-
-
-def checks_names(ask: Callable[P, R]) -> Callable[P, R]:
-    """A question whose unknown or missing arguments are refused as by `bound`."""
-    signature = inspect.signature(ask)
-
-    @functools.wraps(ask)
-    def checked(*arguments: P.args, **named: P.kwargs) -> R:
-        bound(ask.__name__, signature, *arguments, **named)
-        return ask(*arguments, **named)
-
-    return checked
 
 
 def window_in_hertz(f: Any) -> tuple[float, float]:

@@ -90,6 +90,7 @@ def _of_spring(known: Mapping[str, Any], of: type[Scales], **settings: str) -> t
     return scales, _numbers(scales, known)
 
 
+@validate.methods_check_arguments()
 class Isolator(Oscillator):
     __doc__ = f"""The high-static-low-dynamic-stiffness isolator (1)-(7), whose horizontal springs detach at u_cr.
 
@@ -115,7 +116,7 @@ class Isolator(Oscillator):
     gamma: float
     u_cr: float
 
-    @validate.with_known_arguments
+    @validate.checks_arguments
     def __init__(
         self,
         *,
@@ -158,7 +159,7 @@ class Isolator(Oscillator):
         return super().restoring_force(which)
 
     @classmethod
-    @validate.with_known_arguments
+    @validate.checks_arguments
     def physical(
         cls,
         *,
@@ -272,7 +273,7 @@ class Isolator(Oscillator):
     _of_sheet = staticmethod(_of_rods)
 
     @of_arrays_or_labelled
-    @validate.with_known_arguments
+    @validate.checks_arguments
     def many(  # type: ignore[override]
         cls,
         *,
@@ -304,6 +305,7 @@ class Isolator(Oscillator):
         return found
 
 
+@validate.methods_check_arguments()
 class Duffing(Oscillator):
     __doc__ = f"""u'' + 2 zeta u' + mu sign(u') + alpha u + beta u^3 + gamma u^5 = F_0 cos(Omega tau): Duffing's.
 
@@ -319,7 +321,7 @@ class Duffing(Oscillator):
     beta: float
     gamma: float
 
-    @validate.with_known_arguments
+    @validate.checks_arguments
     def __init__(
         self,
         alpha: float,
@@ -343,7 +345,7 @@ class Duffing(Oscillator):
         del self.given["mechanism"]
 
     @classmethod
-    @validate.with_known_arguments
+    @validate.checks_arguments
     def physical(
         cls,
         *,
@@ -399,7 +401,7 @@ class Duffing(Oscillator):
     _of_sheet = staticmethod(_of_spring)
 
     @of_arrays_or_labelled
-    @validate.with_known_arguments
+    @validate.checks_arguments
     def many(  # type: ignore[override]
         cls,
         alpha: Unlabelled,

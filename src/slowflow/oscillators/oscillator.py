@@ -72,6 +72,7 @@ LESS_THAN_MU = "{mu_s = :r} is not allowed: static friction must be at least {mu
 WITHOUT_TRUNCATION = Sentence("without truncation {F_SN = :.4g}, a {kind:s}")
 
 
+@validate.methods_check_arguments()
 class Oscillator(Unchanging, ComposedQuestions, Averaged):
     """A forced oscillator u'' + 2 zeta u' + mu sign(u') + f(u) = F_0 cos(Omega tau) (3), dimensionless.
 

@@ -16,11 +16,11 @@ from typing import TYPE_CHECKING, Any, overload
 import numpy as np
 
 from slowflow.answers.answer import joined
-from slowflow.answers.quantities import DRAWN, SI, UNITS, Quantities, Scales, g, si
+from slowflow.answers.quantities import DRAWN, LETTERS, SI, UNITS, Quantities, Scales, g, si
 from slowflow.core import validate
 from slowflow.core.mechanism import Floats
 from slowflow.oscillators import range_checks
-from slowflow.oscillators.arguments import PLAIN, REMARKS, TakesAmplitude, checks_names, density, window
+from slowflow.oscillators.arguments import PLAIN, REMARKS, TakesAmplitude, density, window
 from slowflow.oscillators.measurements import Columns
 from slowflow.support.errors import OutOfRange, Refused
 from slowflow.support.text import in_units
@@ -57,6 +57,7 @@ def _takes(question: Any) -> Mapping[str, inspect.Parameter]:
     return inspect.signature(question).parameters
 
 
+@validate.methods_check_arguments(*LETTERS)
 @dataclass(frozen=True, repr=False)
 class Physical(TakesAmplitude):
     """An oscillator in SI units: arguments and answers have forces in N, frequencies f in Hz, lengths in m.
@@ -121,7 +122,8 @@ class Physical(TakesAmplitude):
         laws = {self.scales.measures[one.name][0] for one in DISSIPATION}
         changed = self._changed(changes).items()
         sheet = {name: value for name, value in changed if not (name in laws and validate.is_zero(value))}
-        validate.known_arguments(self._kind.physical, sheet, tuple(inspect.signature(self._kind.physical).parameters))
+        of_kind = self._kind.physical
+        validate.known_arguments(of_kind.__qualname__, sheet, tuple(inspect.signature(of_kind).parameters))
         make: Any = PhysicalDesigns
         if any(validate.is_labelled(getattr(value, "magnitude", value)) for value in changes.values()):
             from slowflow.oscillators.physical_grid import PhysicalGrid
@@ -478,7 +480,6 @@ class Physical(TakesAmplitude):
         """
         return self._answer("shock_spectrum", acceleration=acceleration, duration=duration)
 
-    @checks_names
     def random(self, *, psd: tuple[Numbers, Numbers] | Columns, unit: str = "g^2/Hz") -> answers.Random[RandomResponse]:
         """Find the stationary motions under random vibration by statistical linearization.
 

@@ -19,13 +19,13 @@ import numpy.typing as npt
 
 from slowflow.answers.answer import frozen, same
 from slowflow.answers.gradient import Gradient
-from slowflow.answers.quantities import BASE, SHEET, SI, ManyScales, Quantities, Scales, si
+from slowflow.answers.quantities import BASE, LETTERS, SHEET, SI, ManyScales, Quantities, Scales, si
 from slowflow.answers.table import QUANTITIES, QUESTIONS, Found, ManyQuestions, Question
 from slowflow.averaged.batches import Batch, in_dataset, in_rows, spanned
 from slowflow.core import validate
 from slowflow.core.mechanism import Floats
 from slowflow.oscillators import range_checks
-from slowflow.oscillators.arguments import PLAIN, REMARKS, TakesAmplitude, bound, density, window
+from slowflow.oscillators.arguments import PLAIN, REMARKS, TakesAmplitude, density, window
 from slowflow.support.immutable import Unchanging
 
 if TYPE_CHECKING:
@@ -257,7 +257,9 @@ class PhysicalQuestions(TakesAmplitude, Generic[Found]):
 
     def _bound(self, question: str, /, *arguments: Any, **named: Any) -> tuple[Self, dict[str, Any]]:
         """The mounts with this excitation, and the arguments of a question, named as in the table."""
-        (own := bound(question, _signature(question), self, *arguments, **named)).apply_defaults()
+        signature = _signature(question)
+        letters = LETTERS if "at" in signature.parameters else ()
+        (own := validate.bound(question, signature, (self, *arguments), named, *letters)).apply_defaults()
         known = {PLAIN.get(name, name): value for name, value in own.arguments.items() if value is not None}
         mounts, amplitude, at = known.pop("self"), known.pop("amplitude", None), known.pop("at", None)
         if at is not None:

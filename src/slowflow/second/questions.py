@@ -87,6 +87,7 @@ UNANSWERED = {
 
 
 @dataclass(frozen=True)
+@validate.methods_check_arguments()
 class SecondApproximation(Questions[SecondStates, SecondResponse, SecondFolds]):
     """The questions about an oscillator in the second approximation, made by its `.second_approximation`.
 
