@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import contextlib
 import dataclasses
-import functools
 import math
 import warnings
 from collections.abc import Callable, Iterator
@@ -84,9 +83,11 @@ def answers(mechanism: str, at: Point, only: str | None = None) -> Iterator[tupl
     *own, F_0, Omega = at
     exactly = Nearby(mechanism, **dict(zip(NAMES[mechanism], own, strict=False)))
 
-    def of(find: Callable[[], Any], fields: dict[str, float], kind: str) -> Iterator[tuple[str, Any]]:
+    def of(
+        sought: tuple[str, float, float | None, float], fields: dict[str, float], kind: str
+    ) -> Iterator[tuple[str, Any]]:
         try:
-            found = find()
+            found = exactly.solution(*sought)
         except SlowflowError as failure:
             found = Unjudged(failure)
         for name, value in fields.items():
@@ -103,39 +104,39 @@ def answers(mechanism: str, at: Point, only: str | None = None) -> Iterator[tupl
 
     if selected("state"):
         for state in iso.amplitudes(Omega=Omega, F_0=F_0):
-            yield from of(functools.partial(exactly.state, Omega, state.A, F_0), {"A": state.A}, "state at Omega")
+            yield from of(("state", Omega, state.A, F_0), {"A": state.A}, "state at Omega")
     if selected("fold"):
         for fold in iso.saddle_nodes(F_0):
             if fold.corner:
-                found = functools.partial(exactly.on_corner, "fold", fold.Omega, F_0)
+                found = ("fold", fold.Omega, None, F_0)
                 yield from of(found, {"Omega": fold.Omega}, "fold on the corner")
             else:
-                found = functools.partial(exactly.two, "fold", fold.Omega, fold.A, F_0)
+                found = ("fold", fold.Omega, fold.A, F_0)
                 yield from of(found, {"Omega": fold.Omega, "A": fold.A}, "fold at F_0")
     if selected("peak"):
         peak = iso.peak(F_0)
         if peak.A is not None and peak.Omega:
-            found = functools.partial(exactly.two, "peak", peak.Omega, peak.A, F_0)
+            found = ("peak", peak.Omega, peak.A, F_0)
             yield from of(found, {"Omega": peak.Omega, "A": peak.A}, "peak")
     if selected("critical") and mechanism != "duffing":
         left = iso.detachment()
         if left.Omega_cr:
-            found = functools.partial(exactly.on_corner, "detachment", left.Omega_cr, 1.0)
+            found = ("detachment", left.Omega_cr, None, 1.0)
             yield from of(found, {"F_cr": left.F_cr}, "critical forcing")
     if selected("onset"):
         onset = iso.saddle_node_onset()
         if onset.F_SN is not None and onset.kind in ("cusp", "isola") and onset.Omega:
-            found = functools.partial(exactly.two, onset.kind, onset.Omega, onset.A, onset.F_SN)
+            found = (onset.kind, onset.Omega, onset.A, onset.F_SN)
             article = "an" if onset.kind == "isola" else "a"
             yield from of(found, {"F_SN": onset.F_SN}, f"onset at {article} {onset.kind}")
     A_max = {} if math.isfinite(iso.model.reach) else {"A_max": 5.0}
     if selected("cusp"):
         for cusp in iso.cusps(**A_max):
-            found = functools.partial(exactly.two, "cusp", cusp.Omega, cusp.A, cusp.F_0)
+            found = ("cusp", cusp.Omega, cusp.A, cusp.F_0)
             yield from of(found, {"F_0": cusp.F_0, "Omega": cusp.Omega, "A": cusp.A}, "cusp")
     if selected("isola"):
         for point in iso.isola_points(**A_max):
-            found = functools.partial(exactly.two, "isola", point.Omega, point.A, point.F_0)
+            found = ("isola", point.Omega, point.A, point.F_0)
             yield from of(found, {"F_0": point.F_0, "Omega": point.Omega, "A": point.A}, "isola point")
 
 

@@ -48,13 +48,11 @@ def perturbed(mechanism, kind, at, numbers):
     """Omega, A and F_0 of the certified answer next to given ones, in hundreds of bits; numbers exact, F_0 last."""
     near = Nearby(mechanism, **{name: value for name, value in numbers.items() if name not in ("F_0", "Omega")})
     Omega, A, _ = at
+    frequency = numbers["Omega"] if kind == "state" else Omega
+    on_corner, of = kind in ("corner", "detachment"), "fold" if kind == "corner" else kind
+    found, _ = near.solution(of, frequency, None if on_corner else A, numbers["F_0"])
     if kind == "state":
-        state, _ = near.state(numbers["Omega"], A, numbers["F_0"])
-        return None, state.A, None
-    if kind in ("corner", "detachment"):
-        found, _ = near.on_corner("fold" if kind == "corner" else kind, Omega, numbers["F_0"])
-    else:
-        found, _ = near.two(kind, Omega, A, numbers["F_0"])
+        return None, found.A, None
     return found.Omega, found.A, found.F_0
 
 

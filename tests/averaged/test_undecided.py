@@ -176,7 +176,7 @@ def test_cusps_next_to_u_cr_are_those_of_balls_or_said(design, monkeypatch):
     found = iso.cusps()
     assert found.remarks == Remark.BY_BALLS and "ball arithmetic" in found.message and len(found) > 0
     for cusp in found:
-        point, _ = nearby.two("cusp", cusp.Omega, cusp.A, cusp.F_0)
+        point, _ = nearby.solution("cusp", cusp.Omega, cusp.A, cusp.F_0)
         for name in ("F_0", "Omega", "A"):
             assert getattr(cusp, name) == pytest.approx(float(getattr(point, name).mid()), rel=2e-16, abs=0)
     monkeypatch.setattr(importlib.util, "find_spec", lambda name: None)

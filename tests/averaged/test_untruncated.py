@@ -55,7 +55,7 @@ def test_untruncated_answers_are_exact_and_complete(k):
         patch.setattr("warnings.warn", lambda *_, **__: None)  # of a negative stiffness at rest
         isolator, nearby = Isolator(**design, force="untruncated"), Nearby("rod_spring_untruncated", **design)
         detachment, onset = isolator.detachment(), isolator.saddle_node_onset()
-        least, _ = nearby.on_corner("detachment", detachment.Omega_cr, detachment.F_cr)
+        least, _ = nearby.solution("detachment", detachment.Omega_cr, None, detachment.F_cr)
         assert detachment.Omega_cr == pytest.approx(float(least.Omega.mid()), rel=1e-12)
         assert detachment.u_cr == pytest.approx(float(least.A.mid()), rel=4e-16)
         found = [(detachment, "detachment", {}), (onset, "saddle_node_onset", {})]

@@ -10,14 +10,14 @@ Condition numbers are those of `conditioning`: of the inputs, and of the values 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
-from typing import Any, TypeVar
+from collections.abc import Sequence
+from typing import Any
 
 from flint import arb, arb_mat, fmpq
 from mpmath import mpf, workdps
 
 from tests.oracles import averaged, kernels
-from tests.oracles.averaged import ATTACHED, CORNER, DETACHED, SLOPES, Amplitude, Point, exact, exact_ball
+from tests.oracles.averaged import ATTACHED, CORNER, DETACHED, SLOPES, Number, Point, exact, exact_ball
 from tests.oracles.certified_roots import precision
 from tests.oracles.conditioning import Condition, Conditioning
 from tests.oracles.definitions.resultants import rational
@@ -25,14 +25,16 @@ from tests.oracles.errors import U
 from tests.oracles.inertia import ByInertia
 
 BITS = 420
-T = TypeVar("T")
 #: relative size of Newton's last step, which the error left is the square of
 SETTLED = arb(2) ** -120
 STEPS = 40
 #: what lies next to u_cr, relatively, and where what lies there is looked for from
 NEXT, NEAR = arb(2) ** -48, arb(2) ** -100
-#: what vanishes, by what is asked: names in `averaged.Oscillator.derivatives`
-EQUATIONS = {"fold": ("F", "A"), "cusp": ("A", "AA"), "isola": ("A", "O"), "peak": ("F", "O")}
+#: what vanishes, by kind: names in `averaged.Oscillator.derivatives`; the first of a state, and at u_cr
+EQUATIONS = {"cusp": ("A", "AA"), "isola": ("A", "O"), "detachment": ("O",)}
+EQUATIONS |= {"fold": ("F", "A"), "peak": ("F", "O"), "state": ("F",)}
+#: of which the forcing is a result
+LEVELS = ("cusp", "isola", "detachment")
 
 
 #: the numbers of an answer to each question by their names in the oracle, and what the answer is there
@@ -103,84 +105,52 @@ class Nearby:
             self.oscillator = MECHANISMS[mechanism](**parameters)
             self.conditions = Conditioning(self.oscillator)
 
-    def two(self, kind: str, Omega: float, A: float, F_0: float) -> tuple[Point, Condition] | None:
-        """A fold, cusp, isola point or peak, by its two equations in Omega and A.
+    def solution(self, kind: str, Omega: Number, A: float | None, F_0: Number) -> tuple[Point, Condition] | None:
+        """The one of a kind next to these numbers, of which a state has its frequency; with A = u_cr if that is None.
 
-        The double of one next to u_cr may lie on the other side.
+        The double of an amplitude next to u_cr may lie on the other side.
         """
-        return self._nearest(A, lambda side, start: self._two(kind, Omega, start, F_0, side), lambda one: one[0].A)
-
-    def _two(self, kind: str, Omega: float, start: arb, F_0: float, regime: str) -> tuple[Point, Condition] | None:
-        with precision(BITS):
-            forcing, names = arb(exact(F_0)), EQUATIONS[kind]
-
-            def system(x: Sequence[arb]) -> tuple[list[arb], list[list[arb]]]:
-                d = self.oscillator.derivatives(x[0], x[1], regime, forcing)
-                return [d[n] for n in names], [[d[k] for k in SLOPES[n]] for n in names]
-
-            found = _newton(system, [arb(Omega), start])
-            if found is None or not self._stays(found[1], regime):
-                return None
-            point = Point(*found, regime, forcing, kind)
-            if kind in ("cusp", "isola"):
-                point.F_0 = self.oscillator.forcing(point.Omega, point.A, regime)
-                condition = self.conditions.extremum(point)
-            else:
-                condition = self.conditions.solved(point, ("Omega", "A"), names, point.Omega, forcing)
-            return None if condition is None else (point, condition)
-
-    def on_corner(self, kind: str, Omega: float, F_0: float) -> tuple[Point, Condition] | None:
-        """At A = u_cr: a fold at F_0, or the least forcing by Omega ("detachment")."""
-        with precision(BITS):
-            u, forcing = self.oscillator.u_cr, arb(exact(F_0))
-            name, slope = ("F", "O") if kind == "fold" else ("O", "OO")
-
-            def system(x: Sequence[arb]) -> tuple[list[arb], list[list[arb]]]:
-                d = self.oscillator.derivatives(x[0], u, CORNER, forcing)
-                return [d[name]], [[d[slope]]]
-
-            found = _newton(system, [arb(Omega)])
-            if found is None:
-                return None
-            point = Point(found[0], u, CORNER, forcing, kind)
-            if kind == "fold":
-                return point, self.conditions.fold(point)
-            point.F_0 = self.oscillator.forcing(point.Omega, u, CORNER)
-            condition = self.conditions.detachment(point)
-            return None if condition is None else (point, condition)
-
-    def state(self, Omega: float, A: float, F_0: float) -> tuple[Amplitude, Condition] | None:
-        """The steady state at a frequency; next to u_cr its double may lie on the other side."""
-        with precision(BITS):
-            frequency, forcing = arb(exact(Omega)), arb(exact(F_0))
-
-            def on(regime: str, start: arb) -> Amplitude | None:
-                def system(x: Sequence[arb]) -> tuple[list[arb], list[list[arb]]]:
-                    d = self.oscillator.derivatives(frequency, x[0], regime, forcing)
-                    return [d["F"]], [[d["A"]]]
-
-                found = _newton(system, [start])
-                stays = found is not None and self._stays(found[0], regime)
-                return Amplitude(found[0], arb(0), True, regime) if found is not None and stays else None
-
-            state = self._nearest(A, on, lambda one: one.A)
-            return None if state is None else (state, self.conditions.amplitude(state, Omega, F_0))
-
-    def _nearest(self, A: float, on: Callable[[str, arb], T | None], amplitude: Callable[[T], arb]) -> T | None:
-        """The solution next to a double, on its side; next to u_cr, or where there is none, of those on both."""
         u = self.oscillator.u_cr
+        if A is None:
+            return self._next(kind, Omega, u, F_0, CORNER)
         if u is None:  # at a sharp peak Newton's method leaves the place from one double, and not from the next
             starts = (A, math.nextafter(A, math.inf), math.nextafter(A, 0.0))
-            return next((found for start in starts if (found := on(ATTACHED, arb(start))) is not None), None)
-        own = ATTACHED if arb(A) <= u else DETACHED
-        found = on(own, arb(A))
+            tried = (self._next(kind, Omega, arb(start), F_0, ATTACHED) for start in starts)
+            return next((found for found in tried if found is not None), None)
+        found = self._next(kind, Omega, arb(A), F_0, ATTACHED if arb(A) <= u else DETACHED)
         if found is not None and not abs(arb(A) - u) < NEXT * u:
             return found
         # h_A may be infinite at u_cr: from either side of it too
         with precision(BITS):
-            around = [on(side, (u * (1 + offset)).mid()) for side, offset in ((ATTACHED, -NEAR), (DETACHED, NEAR))]
+            starts = [(u * (1 + offset)).mid() for offset in (-NEAR, NEAR)]
+        around = map(self._next, [kind] * 2, [Omega] * 2, starts, [F_0] * 2, (ATTACHED, DETACHED))
         solutions = [one for one in (found, *around) if one is not None]
-        return min(solutions, key=lambda one: abs(float(amplitude(one) - arb(A))), default=None)
+        return min(solutions, key=lambda one: abs(float(one[0].A - arb(A))), default=None)
+
+    def _next(self, kind: str, Omega: Number, A: arb, F_0: Number, regime: str) -> tuple[Point, Condition] | None:
+        """The same on one side of u_cr, or on it."""
+        with precision(BITS):
+            at, forcing = {"Omega": arb(exact(Omega)), "A": A}, arb(exact(F_0))
+            unknowns = ["Omega"] if regime == CORNER else ["A"] if kind == "state" else ["Omega", "A"]
+            vanish = EQUATIONS[kind][: len(unknowns)]
+
+            def system(x: Sequence[arb]) -> tuple[list[arb], list[list[arb]]]:
+                here = {**at, **dict(zip(unknowns, x, strict=True))}
+                d = self.oscillator.derivatives(here["Omega"], here["A"], regime, forcing)
+                by = [dict(zip(at, SLOPES[name], strict=True)) for name in vanish]
+                return [d[name] for name in vanish], [[d[slopes[name]] for name in unknowns] for slopes in by]
+
+            found = _newton(system, [at[name] for name in unknowns])
+            if found is None:
+                return None
+            at |= zip(unknowns, found, strict=True)
+            point = Point(at["Omega"], at["A"], regime, forcing, kind)
+            if regime != CORNER and not self._stays(point.A, regime):
+                return None
+            if kind in LEVELS:
+                point.F_0 = self.oscillator.forcing(point.Omega, point.A, regime)
+                unknowns, vanish = [*unknowns, "F_0"], ("F", *vanish)
+            return point, self.conditions.solved(point, unknowns, vanish, point.Omega, point.F_0)
 
     def _stays(self, A: arb, regime: str) -> bool:
         u = self.oscillator.u_cr
@@ -209,12 +179,8 @@ def errors(one: Any, nearby: Nearby, question: str, query: dict[str, float]) -> 
     """Relative errors of an answer's numbers, and these in u (1 + kappa)."""
     kind, names = VALUES[question]
     F_0 = query["F_0"] if "F_0" in query else getattr(one, names["F_0"])
-    if kind == "state":
-        found = nearby.state(query["Omega"], one.A, F_0)
-    elif kind == "detachment":
-        found = nearby.on_corner(kind, one.Omega_cr, F_0)
-    else:
-        found = nearby.two(kind or one.kind, one.Omega, one.A, F_0)
+    Omega = query["Omega"] if kind == "state" else one.Omega_cr if kind == "detachment" else one.Omega
+    found = nearby.solution(kind or one.kind, Omega, None if kind == "detachment" else one.A, F_0)
     assert found is not None
     point, condition = found
     off = {key: float(abs(exact(getattr(one, name)) / getattr(point, key) - 1)) for key, name in names.items()}
