@@ -620,7 +620,7 @@ class Oscillator:
     def extrema(self) -> list[Point]:
         """Every local minimum and maximum of F_0 along the fold locus, by rising F_0 (kind cusp, isola or corner)."""
         with precision(BITS):
-            points = self._cusps() + self._isolas() + self._corner_extrema()
+            points = self.cusps + self._isolas() + self._corner_extrema()
             for p in points:
                 p.F_0 = self.forcing(p.Omega, p.A, p.regime)
             return sorted(points, key=lambda p: p.F_0.mid())
@@ -690,19 +690,24 @@ class Oscillator:
             W = low.intersection(W)
         return not (turn**3 - lag * lag_A * k + t * t * turn * (lag_A * lag_A + lag * (n_AA + 2 * d * W))).contains(0)
 
-    def _cusps(self) -> list[Point]:
+    @cached_property
+    def cusps(self) -> list[Point]:
+        """Where F_A = F_AA = 0, by rising F_0."""
+
         def function(j: Jet) -> Any:
             slope, bend = self._slope_polynomial(j), self._bend_polynomial(j)
             # A n does not depend on A beyond u_cr: no odd powers are left, and a resultant in Omega would be a square
             even = self._even or (self.ends_at_u_cr and self._beyond(j))
             return bezout(slope[::2], bend[::2]) if even else bezout(slope, bend)
 
-        zeros = self._zeros(function, self._fold_range, self._no_cusp)
-        points = self._common(zeros, lambda own, j: own._slope_polynomial(j), arb(0), ("A", "AA"))
-        for p in points:
-            d = self.derivatives(p.Omega, p.A, p.regime, arb(0))
-            p.kind, p.sense = "cusp", "min" if _sign(d["O"] * d["AAA"] * d["AO"]) < 0 else "max"
-        return points
+        with precision(BITS):
+            zeros = self._zeros(function, self._fold_range, self._no_cusp)
+            points = self._common(zeros, lambda own, j: own._slope_polynomial(j), arb(0), ("A", "AA"))
+            for p in points:
+                p.F_0 = self.forcing(p.Omega, p.A, p.regime)
+                d = self.derivatives(p.Omega, p.A, p.regime, p.F_0)
+                p.kind, p.sense = "cusp", "min" if _sign(d["O"] * d["AAA"] * d["AO"]) < 0 else "max"
+            return sorted(points, key=lambda p: p.F_0.mid())
 
     def _isolas(self) -> list[Point]:
         if self.zeta == 0 and self.c_2 == 0:  # F_Omega = 4 A Omega R then, and F_A > 0 where R = 0

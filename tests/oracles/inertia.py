@@ -8,24 +8,19 @@ F_0 Omega^2, taken exactly.
 
 import random
 from fractions import Fraction
-from functools import cached_property
 
 from flint import arb
 
 from tests.files import store
 from tests.oracles.averaged import (
-    BITS,
     Amplitude,
     Duffing,
     Number,
     Oscillator,
-    Point,
     RodSpring,
-    _sign,
     digits,
     exact,
 )
-from tests.oracles.certified_roots import precision
 from tests.oracles.make_random_isolators import SEED, answered, draw_duffing, draw_isolator, encoded, log_uniform
 
 EACH = 20
@@ -44,44 +39,39 @@ class ByInertia(Oscillator):
         other.ask(force, [Omega])
         return other.amplitudes(Omega, force)
 
-    @cached_property
-    def cusps(self) -> list[Point]:
-        """Where F_A = F_AA = 0, with the F_0 there."""
-        with precision(BITS):
-            points = self._cusps()
-            for p in points:
-                p.F_0 = self.forcing(p.Omega, p.A, p.regime)
-                d = self.derivatives(p.Omega, p.A, p.regime, p.F_0)
-                p.sense = "min" if _sign(d["O"] * d["AAA"] * d["AO"]) < 0 else "max"
-            return sorted(points, key=lambda p: p.F_0.mid())
-
 
 def shaken(kind: type[Oscillator]) -> type[Oscillator]:
     """That kind of oscillator on a base that shakes."""
     return type(kind.__name__, (ByInertia, kind), {})
 
 
+def reference_case(rng: random.Random, oscillator: Oscillator, F_0: float) -> dict:
+    """Its folds and states at one forcing, which is below u_cr."""
+    if oscillator.u_cr is not None:
+        F_0 = min(F_0, 0.9 * float(oscillator.u_cr.mid()))
+    folds = oscillator.folds(F_0)
+    around = float(folds[0].Omega.mid()) if folds else 1.0
+    frequencies = around * rng.uniform(1.005, 1.05), log_uniform(rng, 0.3, 3)
+    return {"F_0": encoded(F_0), **answered(oscillator, folds, F_0, frequencies)}
+
+
 def case(mechanism: str, index: int) -> dict:
-    """Random oscillator number `index`, at an F_0 of 0.3 to 3 times that of its lowest cusp, below u_cr."""
+    """Random oscillator number `index`, at an F_0 of 0.3 to 3 times that of its lowest cusp."""
     rng = random.Random(f"{SEED} inertia {mechanism} {index}")
     is_rod = mechanism == "rod_spring"
     parameters = draw_isolator(rng) if is_rod else draw_duffing(rng, index)
     oscillator = shaken(RodSpring if is_rod else Duffing)(**parameters)
     cusps = oscillator.cusps
     F_0 = log_uniform(rng, 0.3, 3) * (float(cusps[0].F_0.mid()) if cusps else 0.05)
-    if is_rod:
-        F_0 = min(F_0, 0.9 * float(oscillator.u_cr.mid()))
-    folds = oscillator.folds(F_0)
-    around = float(folds[0].Omega.mid()) if folds else 1.0
-    frequencies = around * rng.uniform(1.005, 1.05), log_uniform(rng, 0.3, 3)
-    with precision(BITS):
-        shown = [{"F_0": digits(p.F_0), "Omega": digits(p.Omega), "A": digits(p.A), "sense": p.sense} for p in cusps]
+    known = reference_case(rng, oscillator, F_0)
     return {
         "mechanism": mechanism,
         "parameters": {k: encoded(v) for k, v in parameters.items()},
-        "F_0": encoded(F_0),
-        "cusps": shown,
-        **answered(oscillator, folds, F_0, frequencies),
+        "F_0": known.pop("F_0"),
+        "cusps": [
+            {name: digits(getattr(p, name)) for name in ("F_0", "Omega", "A")} | {"sense": p.sense} for p in cusps
+        ],
+        **known,
     }
 
 

@@ -10,10 +10,9 @@ locus; where the two differ the run stops.
 import random
 
 from tests.files import store
-from tests.oracles.averaged import BITS, Duffing, RodSpring
-from tests.oracles.certified_roots import precision
+from tests.oracles.averaged import Duffing, RodSpring
 from tests.oracles.conditioning import Conditioning
-from tests.oracles.inertia import shaken
+from tests.oracles.inertia import reference_case, shaken
 from tests.oracles.make_random_isolators import (
     SEED,
     answered,
@@ -91,20 +90,13 @@ def shaken_case(index: int) -> dict:
     parameters = drawn(law, index // 4, rod, index // 4 % 3 == 0, rng)
     kind = ReleasedRod if law == "contact" else RodSpring if rod else Duffing
     oscillator = shaken(kind)(**parameters)
-    with precision(BITS):
-        levels = [float(oscillator.forcing(p.Omega, p.A, p.regime).mid()) for p in oscillator._cusps()]
-    F_0 = log_uniform(rng, 0.6, 3) * min(levels, default=0.05)
-    if rod:
-        F_0 = min(F_0, 0.9 * float(oscillator.u_cr.mid()))
-    folds = oscillator.folds(F_0)
-    around = float(folds[0].Omega.mid()) if folds else 1.0
-    frequencies = around * rng.uniform(1.005, 1.05), log_uniform(rng, 0.3, 3)
+    cusps = oscillator.cusps
+    F_0 = log_uniform(rng, 0.6, 3) * (float(cusps[0].F_0.mid()) if cusps else 0.05)
     return {
         "mechanism": "rod_spring" if rod else "duffing",
         "parameters": {k: encoded(v) for k, v in parameters.items()},
         "contact": "attached" if law == "contact" else "throughout",
-        "F_0": encoded(F_0),
-        **answered(oscillator, folds, F_0, frequencies),
+        **reference_case(rng, oscillator, F_0),
     }
 
 
