@@ -400,11 +400,25 @@ def test_cusps_of_a_cubic_spring_are_asked_up_to_an_amplitude(scene):
 
 def test_a_report_that_cannot_be_made_says_why(scene, capsys):
     pytest.importorskip("matplotlib")
-    path = scene(
-        (ROOT / "scenes" / "table_1.toml").read_text().replace("F_0 = [0.025, 0.03, 0.04, 0.05]", "F_0 = [1e308]")
-    )
-    code, out, err = run("report", path, "-o", path.with_name("page.html"), capsys=capsys)
-    assert (code, out) == (2, "") and err.endswith("no amplitude bounds the response at F_0 = 1e+308\n")
+    path = scene("[duffing]\nalpha = 1\nbeta = 1\n[ask]\nquestions = ['saddle_node_onset']\n")
+    code, _, err = run("report", path, "-o", path.with_name("page.html"), capsys=capsys)
+    assert code == 2 and "a report needs forcings in [ask]" in err
+
+
+STUCK = """[spring]\nm = 12\nk_1 = 2500\nk_3 = 1e5\nfriction = 5\n[ask]\nF = [10.0, 1e308]\nquestions = ["cusps"]
+[psd]\nf = [1, 20]\nG = [1e-9, 1e-9]\nunit = "g^2/Hz"
+"""
+
+
+def test_a_report_says_of_what_has_no_result_why(scene, capsys):
+    """Friction holds the mass under this spectral density, and no force is bounded at one forcing."""
+    pytest.importorskip("matplotlib")
+    path = scene(STUCK)
+    assert run("report", path, "-o", path.with_name("page.html"), capsys=capsys)[:2] == (0, "")
+    text = path.with_name("page.html").read_text()
+    for why in ("friction holds the mass nearly all of the time", "cusps needs A", "the response is unresolved at F"):
+        assert f"Left out: {why}" in re.sub("<[^>]*>", "", text)
+    assert "Lowest force with jumps" in text
 
 
 def test_numbers_of_any_size_are_taken_or_refused_in_words(scene):

@@ -21,7 +21,7 @@ from slowflow.answers import files, page, pictures
 from slowflow.answers.answer import Answer, shown
 from slowflow.answers.quantities import DATA_SHEET, SHEET, SHOWN, UNITS, in_shown
 from slowflow.answers.results import Remark
-from slowflow.answers.table import COLUMNS, IN_TIME
+from slowflow.answers.table import COLUMNS
 from slowflow.answers.validity import IN_PYTHON, is_measured
 from slowflow.app.query import FORCINGS, Query
 from slowflow.app.scenes import Scene
@@ -31,7 +31,7 @@ from slowflow.oscillators.isolator import Isolator
 from slowflow.oscillators.physical import Physical
 from slowflow.sizing.fitting import loop_of_design
 from slowflow.sizing.subject import Load, Subject
-from slowflow.support.errors import Refused
+from slowflow.support.errors import Refused, SlowflowError
 from slowflow.support.text import in_units
 
 #: equations of the paper that the answers rest on
@@ -88,8 +88,8 @@ AROUND = (0.8, 1.2)
 
 
 def html(scene: Scene) -> str:
-    """The page. Raises ValueError where the scene has no forcing and no shock."""
-    if not scene.forcings() and not scene.requirements and not any(one.question in IN_TIME for one in scene.queries):
+    """The page. Raises ValueError where the scene has no forcing, no shock and no spectral density."""
+    if not (scene.forcings() or scene.cases):
         raise Refused(f"{scene.path}: a report needs forcings in [ask], a shock, or a spectral density")
     report = Report(scene)
     sections = {
@@ -114,10 +114,10 @@ def html(scene: Scene) -> str:
 
 
 def _available(section: Iterator[str]) -> Iterator[str]:
-    """The parts of a section, and what it cannot have."""
+    """The parts of a section, and what it cannot have, or what has no result."""
     try:
         yield from section
-    except NotAvailable as error:
+    except SlowflowError as error:
         yield _left_out([str(error)])
 
 
@@ -171,7 +171,7 @@ class Report:
         """The answers at each forcing; none where such an oscillator has none, and why is added to `left_out`."""
         try:
             return [self._shown(question, F) for F in forcings]
-        except NotAvailable as error:
+        except SlowflowError as error:
             left_out.append(_reason(question, error))
             return []
 
@@ -582,11 +582,12 @@ class Report:
         """Answers as files, and the scene."""
         texts = {}
         for question in ("saddle_nodes", "frequency_response") if self.forcings else ():
-            found = [({self.letter: F / self.size}, self._shown(question, F)) for F in self.forcings]
-            texts[question] = files.in_csv(found, {self.letter: self.unit})
+            with contextlib.suppress(SlowflowError):
+                found = [({self.letter: F / self.size}, self._shown(question, F)) for F in self.forcings]
+                texts[question] = files.in_csv(found, {self.letter: self.unit})
         for question in ("spectrum", "tolerances", "transient", "shock_spectrum"):
             if queries := self.scene.of(question):
-                with contextlib.suppress(NotAvailable):  # its own section says so
+                with contextlib.suppress(SlowflowError):  # its own section says so
                     answers = [(one.numbers(), self.scene.answer(one)) for one in queries]
                     texts[question] = files.in_csv(answers, queries[0].units())
         links = [page.download(f"{question}.csv", "text/csv", text) for question, text in texts.items()]

@@ -291,13 +291,12 @@ class _Reader:
         kinds = {key: OF_MOUNT[key] for key in names if kind.in_si}
         queries = tuple(replace(one, kinds=kinds) for one in self._queries())
         remarks = dict.fromkeys((*(str(one.message) for one in caught), *_implausible(oscillator, queries)))
-        required: dict[str, Any] = {}
+        cases = [*self._shocks("transient")] if "shock" in self.tables else []
+        cases += [Query("random", self.tables["psd"])] if "psd" in self.tables else []
+        required: dict[str, Any] = {"cases": tuple(replace(one, kinds=kinds) for one in cases)}
+        required["given_forcings"] = tuple(self.tables["ask"].get(kind.forcing, ()))
         if "require" in self.content:
-            cases = [*self._shocks("transient")] if "shock" in self.tables else []
-            cases += [Query("random", self.tables["psd"])] if "psd" in self.tables else []
             required["requirements"] = tuple(self._required())
-            required["given_forcings"] = tuple(self.tables["ask"].get(kind.forcing, ()))
-            required["cases"] = tuple(replace(one, kinds=kinds) for one in cases)
         if "free" in self.content:
             required["free"] = self._free(oscillator)
         loop = self.tables.get("loop", {})

@@ -229,7 +229,7 @@ def static(flow: SlowFlow, design: Sequence[Any], mu: Any) -> dict[str, Any]:
         if law.load_untruncated is not None:
             law = law.load_untruncated()
             of_law = law.coefficients(*design)
-        k_0 = -flow._rest[1]
+        k_0 = 0.0 - flow._rest[1]  # a spring without stiffness at the centre has +0
         within = rests_within(law.pieces, of_law, law.breakpoints(*of_law), mu)
         if flow.laws.contact != THROUGHOUT:
             within = np.minimum(within, end)

@@ -547,7 +547,9 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
     def _up_to(self, A_max: float | None, question: str) -> float:
         """The amplitude up to which a question about all forcings is answered."""
         self.at_centre(question)
-        if A_max is None and math.isfinite(self.model.reach):
+        if A_max is None:
+            if math.isinf(self.model.reach):
+                raise Refused(f"{question} needs A_max, the largest amplitude: this force has no reach")
             return self.model.reach
         return validate.number("A_max", A_max, above=0.0)
 
