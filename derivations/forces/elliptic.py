@@ -2,8 +2,8 @@
 
 In:  two pieces of a force, u (a_1 + b (1/sqrt(1 - u^2) - 1)) up to |u| = u_cr and a_2 u beyond, continuous at u_cr, and
      u_cr in a parameter that says sqrt(1 - u_cr^2) without a difference.
-Out: `Restoring`: H and its slope in closed form by Carlson's R_D, and the forms that are evaluated, each with the
-     amplitudes and breakpoints for which it is meant.
+Out: `Restoring`: H and its derivatives in closed form by Carlson's R_F and R_D, and the forms that are evaluated, each
+     with the amplitudes and breakpoints for which it is meant.
 
 With t = pi/2 - psi, m = A^2, Delta = sqrt(1 - m sin^2 t), c = sqrt(1 - u_cr^2) and sin(theta) = min(1, u_cr/A) the
 average and its slope hold
@@ -66,8 +66,8 @@ DUPLICATIONS = 6
 # digits of nodes and weights, more than a double holds
 DIGITS = 40
 
-#: Carlson's symmetric integral of the second kind
-R_D = sp.Function("R_D")
+#: Carlson's symmetric integrals of the first and of the second kind
+R_F, R_D = sp.symbols("R_F R_D", cls=sp.Function)
 
 ROOT = sp.sqrt(1 - u**2)
 
@@ -605,33 +605,7 @@ def far_detached(a: sp.Expr, b: sp.Expr, end: Corner, way: str, nodes: int = NOD
     return Regime((end.name,), (end.name,), tuple(quarter.lets), tuple(derivatives), intercept)
 
 
-# --- both ---
-
-
-def closed_forms(a: sp.Expr, b: sp.Expr, rest: sp.Expr, end: sp.Symbol) -> tuple[Regime, Regime]:
-    """The average and its slope by R_D, attached and detached."""
-    x, y, c, S_1 = sp.symbols("x y c S_1", positive=True)
-    attached_form = (
-        -a * A - b * A * (4 / (3 * sp.pi) * R_D(0, 1 - A**2, 1) - 1),
-        -a - b * (4 / (3 * sp.pi) * R_D(0, 1, 1 - A**2) - 1),
-    )
-    lets = (
-        (x, end / A),
-        (y, sp.sqrt((A - end) * (A + end)) / A),
-        (c, sp.sqrt((1 - end) * (1 + end))),
-        (S_1, (sp.atan2(x, y) - x * y) / 2),
-    )
-    detached_form = (
-        -rest * A + 4 / sp.pi * b * A * (S_1 / c - x**3 / 3 * R_D(y**2, c**2, 1)),
-        -rest + 4 / sp.pi * b * (S_1 / c - x**3 / 3 * R_D(y**2, 1, c**2)),
-    )
-    return Regime((), (), (), attached_form), Regime((end,), (), lets, detached_form)
-
-
-# --- in balls: closed forms with three derivatives ---
-
-#: Carlson's symmetric integral of the first kind
-R_F = sp.Function("R_F")
+# --- both, in closed form ---
 
 
 def by_second_parameter(F: sp.Expr, D: sp.Expr, m: sp.Expr, xy: sp.Expr, c: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
@@ -662,8 +636,8 @@ def _proved_by_second_parameter() -> None:
         )
 
 
-def in_balls(a: sp.Expr, b: sp.Expr, rest: sp.Expr, end: Corner) -> tuple[Regime, Regime]:
-    """The average with three derivatives in closed form, attached and detached: for as many digits as it takes."""
+def closed_forms(a: sp.Expr, b: sp.Expr, rest: sp.Expr, end: Corner) -> tuple[Regime, Regime]:
+    """The average with three derivatives, attached and detached: for as many digits as it takes."""
     found = [
         replace(regime, derivatives=tuple(derivatives), intercept=intercept)
         for regime, slope_ in zip(of_springs(end), (-a, -rest), strict=True)
@@ -679,7 +653,7 @@ def with_linear(slope_: sp.Expr, b: sp.Expr, averages: Sequence[sp.Expr]) -> tup
 
 @functools.cache
 def of_springs(end: Corner) -> tuple[Regime, Regime]:
-    """As `in_balls` of the springs' force over b, which is 0 beyond the breakpoint.
+    """As `closed_forms` of the springs' force over b, which is 0 beyond the breakpoint.
 
     What cancels in it is no matter there, and neither is that it divides by 1 - A^2.
     """
@@ -802,7 +776,7 @@ class SplitAverage:
 
 @functools.cache
 def detached_closely(b: sp.Expr, rest: sp.Expr, end: Corner) -> SplitAverage:
-    """As `in_balls` where A > u_cr, with b and the last piece apart: they are no exact numbers."""
+    """As `closed_forms` where A > u_cr, with b and the last piece apart: they are no exact numbers."""
     beyond = sp.Symbol("beyond", nonnegative=True)
     first, second = sp.symbols("of_first of_second", positive=True)
     names = sp.symbols("part_0:5", real=True)
@@ -918,4 +892,4 @@ def restoring(pieces: Sequence[sp.Expr], breakpoints: Mapping[sp.Symbol, sp.Expr
         Case("passed_1_steep_away", (away,), far_detached(rest, b, end, "closer_by_duplication")),
         Case("passed_1_steep", (), detached(rest, b, end, "by_duplication")),
     )
-    return Restoring(tuple(pieces), (name,), (sp.Integer(0),), closed_forms(a, b, rest, name), {}, cases)
+    return Restoring(tuple(pieces), (name,), (sp.Integer(0),), closed_forms(a, b, rest, end), {}, cases)

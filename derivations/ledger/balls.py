@@ -17,7 +17,7 @@ from typing import Any
 import sympy as sp
 from flint import acb, arb, arb_poly, arb_series, ctx, fmpq
 
-from ..forces.elliptic import R_D
+from ..forces.elliptic import R_D, R_F
 
 #: working precision: about 60 digits, of which the tables show 12
 BITS = 200
@@ -82,8 +82,9 @@ def _step(part: sp.Expr) -> tuple[Callable[..., Any] | None, Any]:
         return lambda: constant, ()
     if part.func in (sp.atan, sp.atan2):
         return _angle, part.args if isinstance(part, sp.atan2) else sp.fraction(part.args[0])
-    if part.func == R_D:
-        return lambda *of: acb.elliptic_rd(*of).real, part.args
+    if part.func in (R_F, R_D):
+        carlson = acb.elliptic_rf if part.func == R_F else acb.elliptic_rd
+        return lambda *of: carlson(*of).real, part.args
     if part.is_Add:
         return lambda *of: reduce(add, of), part.args
     if part.is_Mul:

@@ -1,7 +1,7 @@
 """In: the derivation's results, Table 1. Out: Table 2's folds with the force (5) as it is, beside the truncated ones.
 
-The averages are the closed forms by Carlson's R_D. Each fold of the untruncated force is the limit of Newton's steps
-from the truncated one, at the ledger's precision: what the truncation moves, not a search for further folds.
+The averages are the closed forms by Carlson's integrals. Each fold of the untruncated force is the limit of Newton's
+steps from the truncated one, at the ledger's precision: what the truncation moves, not a search for further folds.
 """
 
 from __future__ import annotations
@@ -12,11 +12,12 @@ from typing import Any
 
 from flint import arb, arb_mat
 
+from ..mechanisms.rod_spring import delta_h
 from ..paper.restoring_force import Regime
 from ..results import Results
 from ..symbols import F_0, A, h, h_A
 from . import published
-from .balls import evaluate, significant
+from .balls import ball, evaluate, significant
 from .example import ATTACHED, Example, Point, Polynomials, coefficients
 from .facts import Facts
 
@@ -31,7 +32,7 @@ class Untruncated(Example):
     def __init__(self, results: Results, of: Polynomials, parameters: Mapping[str, Fraction]) -> None:
         super().__init__(results, of, parameters)
         derived = results.mechanisms[UNTRUNCATED]
-        self.known |= coefficients(derived, parameters)
+        self.known |= coefficients(derived, parameters) | {delta_h: ball(parameters["delta_h"])}
         self.regimes = derived.whole.regimes
 
     def attached(self, amplitude: Any) -> dict[Any, Any]:
@@ -46,7 +47,7 @@ class Untruncated(Example):
         values = {**self.known, A: amplitude}
         for symbol, value in regime.lets:
             values[symbol] = evaluate(value, values)
-        force, slope = (evaluate(form, values) for form in regime.derivatives)
+        force, slope = (evaluate(form, values) for form in regime.derivatives[:2])
         return {**values, h: force, h_A: slope}
 
     def fold_near(self, point: Point) -> list[arb]:

@@ -327,8 +327,8 @@ def state_kinks(of: Formulas, derived: OfMechanism) -> None:
 
 def state_in_balls(of: Formulas, derived: OfMechanism) -> None:
     """What a proof asks for where an average is an algorithm that only approaches it: closed forms."""
-    *_, end = pieces = pieces_of(derived)
-    cases = [Case(f"passed_{k}", ((A, end.name),), regime) for k, regime in enumerate(elliptic.in_balls(*pieces))]
+    (end,) = derived.whole.breakpoints
+    cases = [Case(f"passed_{k}", ((A, end),), regime) for k, regime in enumerate(derived.whole.regimes)]
     text = f"{', '.join(map(str, AVERAGED))}, h - A h_A at A = 0."
     at_rest = elliptic.at_rest(derived.whole.pieces[0])
     of.add("at_rest", at_rest, text, "(20)-(22), (31)", arithmetics=("balls",))
