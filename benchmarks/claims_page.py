@@ -9,7 +9,7 @@ from typing import Any
 
 from benchmarks.document import Columns, columns_of
 from derivations.ledger import measured
-from derivations.ledger.figures import percent
+from derivations.ledger.measured import percent
 
 LEDGER = Path(__file__).resolve().parents[1] / "generated" / "slowflow_kernels" / "ledger.json"
 

@@ -13,7 +13,6 @@ import numpy as np
 
 from benchmarks import claims_page
 from benchmarks.document import Columns, columns_of, table
-from derivations.ledger import figures as judged
 from derivations.ledger import measured
 from examples.paper import figures
 from slowflow import example
@@ -469,7 +468,7 @@ def page(numbers: dict[str, Any]) -> str:
         truncated=truncated,
         at_table_1=at_table_1,
         claims=claims_page.section(),
-        F_SN=judged.percent(abs(measured.load()["figure_7a"]["F_SN"]["off"])),
+        F_SN=measured.percent(abs(measured.load()["figure_7a"]["F_SN"]["off"])),
         **_corners(numbers),
         **_random(numbers["random"]),
     )

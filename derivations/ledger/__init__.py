@@ -15,7 +15,6 @@ Out: LEDGER.md and ledger.json, and the numbers of Table 1 for the runtime.
     entries    rows of formulas, tables and numbers
     claims     rows of sentences
     measured   verdicts on sentences that judge figures, from what direct integration measured
-    figures    the numbers behind these verdicts
     findings   what differs, with its proof
     truncation what the fifth-order force costs
     render     text

@@ -2,7 +2,7 @@
 
 Where a sentence says in words what an equation says, the verdict follows from the proof of that equation; where it
 states a number or a sign, from a certified value, which is claimed: a verdict whose evidence fails is an error.
-Where it judges a figure, from what was measured (`figures`).
+Where it judges a figure, from what was measured (`measured`).
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from ..claims import claim
 from ..mechanisms.rod_spring import delta_h, lam, r
 from ..paper.slow_flow import I, R, m
 from ..symbols import F_0, A, Omega, mu, u, zeta
-from . import figures, measured, published
+from . import measured, published
 from .balls import evaluate, rounded, sign, significant
 from .facts import Facts
 from .formulas import stiffness
@@ -413,7 +413,7 @@ def claim_rows(facts: Facts) -> list[Row]:
     for section in SECTIONS:
         for verdict, sentences in section(facts).items():
             decided |= {name: (verdict, evidence) for name, evidence in sentences.items()}
-    decided |= {name: decided[other] for name, other in REPEATED.items()} | figures.decided(measured.load())
+    decided |= {name: decided[other] for name, other in REPEATED.items()} | measured.decided(measured.load())
     return [
         Row(one.id, "claim", one.where, "", one.sentence, "", decided[one.id][0], evidence=decided[one.id][1])
         for one in published.CLAIMS

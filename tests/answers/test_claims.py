@@ -6,7 +6,7 @@ import json
 import numpy as np
 import pytest
 
-from derivations.ledger import figures, measured
+from derivations.ledger import measured
 from derivations.ledger.rows import FALSE, LOOSE, TRUE
 from slowflow import Isolator, example
 from slowflow.exact import EquationOfMotion, exact_response, linear, steady_state
@@ -168,7 +168,7 @@ def test_the_recipe_at_one_frequency():
 
 def test_the_ledger_has_the_verdicts_of_the_measurement():
     rows = {row["id"]: row for row in json.loads(claims_page.LEDGER.read_text(encoding="utf-8"))["rows"]}
-    for claim, (verdict, evidence) in figures.decided(NUMBERS).items():
+    for claim, (verdict, evidence) in measured.decided(NUMBERS).items():
         assert (rows[claim]["verdict"], rows[claim]["evidence"]) == (verdict, evidence)
 
 
@@ -233,11 +233,11 @@ def test_verdicts_follow_the_numbers(claim, change, verdict):
     change(numbers)
     found = measured.verdicts(numbers)
     assert found[claim] == verdict
-    if found != figures.DECIDED:
+    if found != measured.DECIDED:
         with pytest.raises(ArithmeticError, match="other verdicts"):
-            figures.decided(numbers)
+            measured.decided(numbers)
 
 
 def test_every_claim_on_a_figure_is_asked_for_something():
-    assert set(measured.CRITERIA) == set(figures.DECIDED) == set(measured.verdicts(NUMBERS))
+    assert set(measured.CRITERIA) == set(measured.DECIDED) == set(measured.verdicts(NUMBERS))
     assert (measured.EXCELLENT, measured.ACCEPTABLE, measured.SEVERAL) == (0.01, 0.05, 3)
