@@ -141,30 +141,6 @@ def steep_isolator(delta_h: float) -> Isolator:
     return Isolator(lam=1, r=0.3, delta_h=delta_h, mu=0.01, zeta=0.02, force="untruncated")
 
 
-@pytest.mark.parametrize("delta_h", STEEP_FEW)
-def test_answers_keep_digits_as_preload_nears_the_rods_length(delta_h):
-    """F_cr, folds and states against solutions in 420 bits; nothing is said of lost digits."""
-    iso = steep_isolator(delta_h)
-    nearby = Nearby("rod_spring_untruncated", lam=1.0, r=0.3, delta_h=delta_h, mu=0.01, zeta=0.02)
-    folds = iso.saddle_nodes(0.1)
-    assert len(folds) == 2 and Remark.UNDECIDED not in folds.remarks
-    assert errors(iso.detachment(), nearby, "detachment", {})["F_0"][1] <= 3
-    for question, found in (("saddle_nodes", folds), ("amplitudes", iso.amplitudes(Omega=0.95, F_0=0.1))):
-        for one in found:
-            off = errors(one, nearby, question, {"Omega": 0.95, "F_0": 0.1})
-            assert max(rounding for _, rounding in off.values()) <= 2
-
-
-@pytest.mark.parametrize("delta_h", [d for d in STEEP if d < 1 - 1e-7])
-@pytest.mark.parametrize("r", [0.3, 0.7])
-def test_an_onset_next_to_a_steep_corner(delta_h, r):
-    """Its amplitude is so near to u_cr that h_AA changes by much from one double to the next; the level does not."""
-    onset = Isolator(lam=1, r=r, delta_h=delta_h, mu=0.01, zeta=0.02, force="untruncated").saddle_node_onset()
-    nearby = Nearby("rod_spring_untruncated", lam=1.0, r=r, delta_h=delta_h, mu=0.01, zeta=0.02)
-    off = errors(onset, nearby, "saddle_node_onset", {})
-    assert onset.kind == "cusp" and off["F_0"][0] <= 1e-14 and off["Omega"][0] <= 1e-14
-
-
 @pytest.mark.slow
 @pytest.mark.parametrize("delta_h", [1 - 1e-9, 1 - 2.0**-52])
 def test_onset_between_doubles_is_proved_in_balls_or_refused(delta_h, monkeypatch):
