@@ -165,7 +165,7 @@ RISING = {
     "base": (Duffing.many, {"alpha": 1.0, "beta": [[0.3], [1.0]], "mu": 0.0, "eta": 0.02}, 0.1, "base"),
     "truncated": (
         Isolator.many,
-        {"lam": 3, "r": 2.03, "delta_h": [[0.06], [0.09]], "mu": 0.012, "force": "truncated"},
+        {"lam": 3, "r": 2.03, "delta_h": [[0.05], [0.06], [0.09]], "mu": 0.012, "force": "truncated"},
         0.08,
         "force",
     ),
@@ -190,3 +190,18 @@ def test_states_and_folds_without_a_proof_are_those_with_one(case):
         np.testing.assert_allclose(getattr(found, name), getattr(proved, name), rtol=1e-9, err_msg=name)
     first = designs._by_doubles("saddle_nodes", max_count=1, **at)
     assert np.array_equal(first.status, np.where(proved.count > 1, Status.TOO_MANY, proved.status))
+
+
+@pytest.mark.parametrize("case", [*(case for case in RISING if case != "untruncated"), *slow("untruncated")])
+def test_states_next_to_folds_are_found_without_a_proof(case):
+    """Of two that meet in a fold both were lost where they differed by less than what amplitudes are sampled at."""
+    many, numbers, F_0, excitation = RISING[case]
+    designs = many(**{"zeta": 0.02} | numbers, load=0.03, excitation=excitation)
+    folds = designs.saddle_nodes(F_0)
+    at = np.geomspace(1e-9, 1e-3, 7)
+    Omega = np.unique(folds.Omega[np.isfinite(folds.Omega)][:, np.newaxis] * (1 + np.append(-at, at)))
+    found = designs._by_doubles("amplitudes", Omega=Omega, F_0=F_0, max_count=6)
+    proved = designs.amplitudes(Omega=Omega, F_0=F_0)
+    assert (proved.count > 1).any() and np.array_equal(found.count, proved.count)
+    # next to a fold amplitudes change with the root of the frequency
+    np.testing.assert_allclose(found.A, proved.A, rtol=1e-10)

@@ -3,8 +3,9 @@
 Where the force rises with u so does its mean with B: at each amplitude one mean is balanced, and h is a function of A
 alone, as it is about the centre. It is taken for a cubic between amplitudes next to each other by a fixed ratio; where
 F changes its sign, and at folds the forcing less the one that is asked for, Newton's method begins with all unknowns.
-Two states whose amplitudes differ by less than a `FINE` part of that ratio may be missed, and that the force rises is
-looked at in `SAMPLES` positions of each piece, not proved; `complete` proves both.
+Where F turns next to 0, as just beside a fold, both states begin from there. Two folds whose amplitudes differ by less
+than a `FINE` part of that ratio may be missed, as may two states beside a fold on a corner that differ by 1e-7, and
+that the force rises is looked at in `SAMPLES` positions of each piece, not proved; `complete` proves all.
 """
 
 from __future__ import annotations
@@ -25,10 +26,14 @@ from slowflow_kernels.conventions import FoldKind
 
 #: octaves of amplitudes, at how many in each the mean is balanced, and how often F is looked at between two of these
 OCTAVES, NODES, FINE = 16, 4, 16
+#: how far motions pass a jump of the force, beside A, where the mean is balanced too
+PAST = np.append(0.0, 2.0 ** -np.arange(4.0, 28.0, 2.0))
 #: samples of a force in each piece, and on each side of 0 in so many octaves
 SAMPLES, SMALLEST = 128, 24
 #: by how much the last step moves an amplitude, or a mean, at most; steps of Newton's method, and of one with ends
 NEAR, STEPS, MOST_STEPS = 1e-8, 6, 100
+#: steps of Newton's method to where F turns, and how near to that, beside A, states may lie between samples
+TURNING_STEPS, CLOSE = 3, 2.0**-6
 
 #: of several conditions, which one each answer is of, and their columns
 Found = tuple[Ints, dict[str, Any]]
@@ -39,18 +44,35 @@ def states(steps: Steps, flow: Flow, Omega: Floats, F_0: Floats) -> Found | None
     force = flow.force(F_0, Omega)
     moving = np.flatnonzero(force > flow.m)
     Omega, F_0, force = Omega[moving], F_0[moving], force[moving]
-    sheet = _sheet(steps, flow, float(flow.bound(Omega, force).max(initial=flow.m)), OCTAVES)
+    # states may lie at the bound itself
+    sheet = _sheet(steps, flow, (1 + CLOSE) * float(flow.bound(Omega, force).max(initial=flow.m)), OCTAVES)
     if sheet is None:
         return None
     A, h, _, mean = sheet
     at = Omega[:, np.newaxis]
-    of, near = _changes(np.hypot(A * at**2 + h, flow.sine(at, A)) - force[:, np.newaxis], A)
-    slow, Omega = Slow(steps, flow, F_0[of]), Omega[of]
-    (A, B), there = _solved(lambda x: slow.state(Omega, x), np.stack((near, mean(near))))
-    stable, h = slow.stability(Omega, A, B)
-    columns = {"A": A, "B": B, "stable": stable, "phi": flow.phase(Omega, A, h)}
-    columns["transmissibility"] = flow.transmissibility(Omega, A, F_0[of], h)
-    return moving[of[there]], {name: value[there] for name, value in columns.items()}
+    F = np.hypot(A * at**2 + h, flow.sine(at, A)) - force[:, np.newaxis]
+    of, near = _changes(F, A)
+    # where F turns next to 0 two states may lie between samples
+    rise = np.diff(F)
+    row, cell = np.nonzero((rise[:, 1:] > 0) != (rise[:, :-1] > 0))
+    turn = cell + 1
+    reach = (CLOSE * A[turn] / (A[turn + 1] - A[turn])) ** 2
+    some = np.abs(F[row, turn]) < reach * np.abs(rise[row, turn] - rise[row, cell])
+    row, top = row[some], A[turn[some]]
+    close, pairs = _pairs(steps, flow, Omega[row], force[row], np.stack((top, mean(top))))
+    of = np.concatenate((of, row[close], row[close]))
+    slow = Slow(steps, flow, F_0[of])
+    start = np.concatenate((np.stack((near, mean(near))), pairs), axis=1)
+    (A, B), there = _solved(lambda x: slow.state(Omega[of], x), start)
+    stable, h = slow.stability(Omega[of], A, B)
+    order = np.flatnonzero(there)[np.lexsort((A[there], of[there]))]
+    of, A, B, stable, h = of[order], A[order], B[order], stable[order], h[order]
+    # the stability of states next to one another differs: others are found twice
+    once = np.ones(of.size, dtype=bool)
+    once[1:] = (of[1:] != of[:-1]) | (stable[1:] != stable[:-1]) | (A[1:] - A[:-1] > NEAR * A[1:])
+    columns = {"A": A, "B": B, "stable": stable, "phi": flow.phase(Omega[of], A, h)}
+    columns["transmissibility"] = flow.transmissibility(Omega[of], A, F_0[of], h)
+    return moving[of[once]], {name: value[once] for name, value in columns.items()}
 
 
 def folds(steps: Steps, flow: Flow, F_0: Floats) -> Found | None:
@@ -95,10 +117,33 @@ def _sheet(
         return None
     nodes = A_max * 2.0 ** np.linspace(-octaves, 0.0, octaves * NODES + 1)
     B = _balanced(steps, nodes, bound)
+    past_jumps, mean_there = _passing(steps, nodes, B)
+    nodes, order = np.unique(np.append(nodes, past_jumps), return_index=True)
+    B = np.append(B, mean_there)[order]
     _, (h, h_A, *_) = steps.averaged(nodes, B)
     spline = CubicHermiteSpline(np.append(0.0, nodes), np.append(0.0, h), np.append(h[0] / nodes[0], h_A))
     A = np.append(0.0, nodes[:-1, np.newaxis] + np.diff(nodes)[:, np.newaxis] * np.arange(FINE) / FINE)
     return A, spline(A), spline(A, 1), lambda A: np.interp(A, nodes, B)
+
+
+def _passing(steps: Steps, A: Floats, B: Floats) -> Floats:
+    """A and B where motions come to a jump of the force and just pass it, from samples of the balance.
+
+    There h goes as a root. By the secant method along a line on which an end of the motion stays.
+    """
+    gap = A + steps.sides[:, np.newaxis] * B - steps.positions[:, np.newaxis]
+    step, cell = np.nonzero(((gap[:, 1:] > 0) != (gap[:, :-1] > 0)) & (steps.gains[:, :1] != 0))
+    step, cell, past = np.repeat(step, PAST.size), np.repeat(cell, PAST.size), np.tile(PAST, step.size)
+    side, (low, high) = steps.sides[step], (A[cell], A[cell + 1])
+    place = steps.positions[step] + past * low
+    f_low, f_high = (steps.at(one, side * (place - one), 0).c[0] for one in (low, high))
+    for _ in range(STEPS):
+        with np.errstate(invalid="ignore"):
+            change = (steps.load - f_high) * (high - low) / (f_high - f_low)
+        low, f_low = high, f_high
+        high = np.clip(high + np.where(np.isfinite(change), change, 0.0), 0.5 * A[cell], 2 * A[cell])
+        f_high = steps.at(high, side * (place - high), 0).c[0]
+    return np.stack((high, side * (place - high)))
 
 
 def _may_fall(force: Force, bound: float) -> bool:
@@ -123,6 +168,24 @@ def _balanced(steps: Steps, A: Floats, bound: float) -> Floats:
         if not left.size:
             break
     return B
+
+
+def _pairs(steps: Steps, flow: Flow, Omega: Floats, force: Floats, x: Floats) -> tuple[Flags, Floats]:
+    """Where two states are close beside an amplitude at which F turns, from A and B next to that; A and B of these."""
+    A, B = x
+    with np.errstate(all="ignore"):
+        for _ in range(TURNING_STEPS):
+            means, averages = steps.averaged(A, B)
+            F_AA = flow.F_AA(Omega, A, averages)
+            change = -flow.F_A(Omega, A, averages) / F_AA
+            B = B - (means.c[0] - steps.load + means.s[1] * change) / means.c[1]
+            A = A + change
+        means = steps.at(A, B, 1)
+        I, h = flow.sine(Omega, A), -2 * (means.s[0] - means.s[1] * (means.c[0] - steps.load) / means.c[1])
+        apart = np.sqrt(-2 * ((A * Omega**2 + h) ** 2 + (I - force) * (I + force)) / F_AA)
+        close = apart <= CLOSE * A
+    middle, away = np.stack((A, B, apart, -means.s[1] / means.c[1] * apart))[:, close].reshape(2, 2, -1)
+    return close, np.concatenate((middle - away, middle + away), axis=1)
 
 
 def _changes(rows: Floats, A: Floats) -> tuple[Ints, Floats]:
