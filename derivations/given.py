@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import keyword
 import math
+import sys
 from collections.abc import Mapping, Sequence
 from numbers import Real
 from typing import Any
@@ -140,4 +141,8 @@ def expression(what: str, value: Any) -> sp.Expr:
         raise WrongType(f"{what} = {value!r} is not allowed: it must be a SymPy expression; strings are never read")
     if value.has(sp.nan, sp.zoo, sp.oo, -sp.oo, sp.I):
         raise Refused(f"{what} = {value} is not allowed: it must be real and finite")
-    return in_rationals(value)
+    found = in_rationals(value)
+    sizes = [abs(number) for number in found.atoms(sp.Rational) if number != 0]
+    if any(not sys.float_info.min <= size <= sys.float_info.max for size in sizes):
+        raise Refused(f"{what} is not allowed: it has a number beyond the range of doubles")
+    return found

@@ -447,6 +447,12 @@ def test_a_folder_that_is_made_is_for_the_user_alone(tmp_path):
         ({"pieces": u + k_1 * u**3}, TypeError, "pieces = .* must be a list of pairs"),
         ({"pieces": [(u,)]}, TypeError, "piece 1 = .* must be a list of pairs"),
         ({"pieces": [(sp.I * u, None)]}, ValueError, "piece 1 = .* must be real and finite"),
+        (
+            {"pieces": [(u + 10**400 * u**3, None)]},
+            ValueError,
+            "piece 1 is not allowed: .* beyond the range of doubles",
+        ),
+        ({"pieces": [(u + u**3 / sp.Integer(10) ** 400, None)]}, ValueError, "piece 1 .* beyond the range of doubles"),
         ({"pieces": [(float("inf"), None)]}, ValueError, "piece 1 = inf is not allowed: it must be finite"),
         ({"parameters": ["k_1"]}, TypeError, "parameters = .* must be a mapping"),
         ({"parameters": {"k_1": None}}, TypeError, "parameter k_1 = None is not allowed"),

@@ -209,6 +209,10 @@ def test_several_mounts_share_the_mass_and_add_springs(excitation):
     assert found.samples["f_rest"][1] == pytest.approx(again.at_rest().f_0, rel=1e-12)
     with pytest.raises(ValueError, match="mounts = 0 is not allowed"):
         four.replace(mounts=0)
+    sheet.pop("static_friction", None)
+    for count in (0, 2.5, [1, 2]):
+        with pytest.raises(ValueError, match=r"mounts = .* must be an integer >= 1"):
+            Isolator.physical(**sheet).many(m=[1.0, 2.0], mounts=count)
 
 
 @pytest.mark.parametrize("load", [None, *slow(12.2)])

@@ -296,6 +296,7 @@ class PhysicalDesigns(PhysicalQuestions[ManyQuantities], Unchanging):
                 "static_friction is not available for many mounts: only exact motions of a single one use it"
             )
         settings = {name: known.pop(name) for name in SETTINGS if name in known}
+        validate.count("mounts", settings.get("mounts", 1), least=1)
         values = {name: si(name, value, SHEET[name]) for name, value in known.items()}
         values = {name: _array(name, value) for name, value in values.items()}
         validate.common_shape(values)
