@@ -128,6 +128,10 @@ def free(draw, count):
     return {name: value for name, value in designs.items() if name not in ("kappa", "delta")}
 
 
+def linear(draw, count):
+    return free(draw, count) | {"alpha": draw.uniform(0.5, 2, count)}
+
+
 def near(numbers, damping=(0.01, 0.03)):
     """Designs of a derived mechanism with about these numbers; the last one is none."""
 
@@ -220,6 +224,7 @@ KINDS = {
     "gaps": Kind("dead_zone", gaps, {}, AT_LEVELS),
     "gaps with an unbalance": Kind("dead_zone", gaps, {"excitation": "unbalance"}, AT_LEVELS),
     "free masses": Kind(Duffing, free, {}, AT_LEVELS),
+    "linear springs with quadratic damping": Kind(Duffing, linear, {"c_2": 0.2}, AT_LEVELS),
     "loaded isolators": Kind(Isolator, loaded(isolators, 0.1), {}, LOADED, FEW),
     "loaded isolators on a base": Kind(Isolator, loaded(isolators, 0.1), {"excitation": "base"}, SOME, FEW),
     "loaded Duffing's": Kind(Duffing, loaded(duffings, 0.3), {}, LOADED, FEW),

@@ -84,7 +84,7 @@ COMPOSED: Mapping[str, tuple[Step, ...]] = MappingProxyType(
             Step("folds", True, text("number of folds at {F_0}")),
             Step("onset", True, text("{F_SN}, found once for the oscillator")),
             Step("detachment", True, text("{F_cr}, found once for the oscillator")),
-            Step("curve", True, text("whether a stable motion passes {u_cr}; not for a force of one piece")),
+            Step("peak", True, text("whether the highest stable motion passes {u_cr}; not for a force of one piece")),
         ),
         "hysteresis": (
             Step("folds", True, "the ends of the bands"),

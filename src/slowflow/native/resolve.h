@@ -116,7 +116,7 @@ static double sf_settle_or_prove(const sf_model *model, const sf_inputs *inputs,
 static sf_status sf_settled_folds(const sf_model *model, const sf_inputs *inputs, double F_0, sf_room *room,
                                   sf_folds *folds) {
     const int laws = model->by_laws;
-    if (!laws && sf_is_linear(model) && !sf_sticks(model, F_0)) {
+    if (sf_is_linear(model) && !sf_sticks(model, F_0)) {
         folds->n = folds->undecided = 0;
         return folds->status = SF_OK;
     }
