@@ -686,6 +686,9 @@ def test_records_settle_where_damping_is_more_than_critical():
     record = found.measure(samples=6400, records=64)
     assert_measured(record, u_rms=math.sqrt(math.pi * 0.01 / 6), v_rms=math.sqrt(math.pi * 0.01 / 6))
     assert record.u_margin < 0.25 * record.u_rms
+    sticky = Duffing(1.0, 0.0, mu=0.1, zeta=0.02).random(S_0=1e-6)
+    with pytest.raises(ArithmeticError, match="times as much as critically"):
+        sticky.measure()
 
 
 def test_friction_of_most_of_the_damping_is_named():

@@ -138,7 +138,7 @@ class RandomResponse(Drawn, Table, entry="Stationary"):
         records -- number of records, whose averages give the intervals
         seed    -- of the random numbers
 
-        Raises ArithmeticError if the motion escapes.
+        Raises ArithmeticError if the motion escapes, and if it is damped so much that no record of it settles.
         """
         system = self.system if force is None else self._equation.equation_of_motion(force)
         linear = self.excitation, self.stiffness, self.damping

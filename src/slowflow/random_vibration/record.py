@@ -20,6 +20,7 @@ from slowflow.exact.transient import record as arcs_of
 from slowflow.random_vibration.excitation import Excitation, White
 from slowflow.random_vibration.fokker_planck import damping_force
 from slowflow.support.errors import NotSettled
+from slowflow.support.text import Sentence
 from slowflow_kernels import linearization
 
 #: steps of time: of the slowest of natural periods over a turn, of the times in which damping acts on white noise, and
@@ -27,8 +28,13 @@ from slowflow_kernels import linearization
 FRACTION, DAMPED, SAMPLED = 0.1, 0.01, 0.7
 #: what may be left out of the mean square of the velocity above the highest frequency
 LEFT_OUT, GRID = 1e-5, 4001
-#: times over that in which the energy of the linear oscillator decays that a record is followed before it counts
-BEFORE = 12.0
+#: times over that in which the energy of the linear oscillator decays that a record is followed before it counts, and
+#: samples that this may take
+BEFORE, MOST_BEFORE = 12.0, 4_000_000
+SLOW = Sentence(
+    "the motion is damped {ratio:.4g} times as much as critically: a record of it settles after more than {most:d} "
+    "samples"
+)
 #: steps of integration that a sample may take on the average
 STEPS = 50
 #: samples of a record that are followed at once, between which it can be interrupted
@@ -51,6 +57,8 @@ def measured(
     step, top = steps(excitation, float(k.max()), c)
     # more damping than critical slows the way back to the mean
     decays = np.minimum(c, 4 * k / (c + np.sqrt(np.maximum(c**2 - 4 * k, 0.0))))
+    if not BEFORE <= MOST_BEFORE * step * decays.min():
+        raise NotSettled(SLOW.format(float((0.5 * c / np.sqrt(k)).max()), MOST_BEFORE))
     before = math.ceil(BEFORE / (step * float(decays.min())))
     system = replace(system, inertial=False)
     below, above = system.force.first_ends
