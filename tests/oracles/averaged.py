@@ -500,16 +500,18 @@ class Oscillator:
             values, rows = system(x, y)
             step = arb_mat(rows).solve(arb_mat(2, 1, values))
             x, y = arb((x - step[0, 0]).mid()), arb((y - step[1, 0]).mid())
-        radius = arb(2) ** (-BITS // 2)
-        box_x, box_y = arb(x, radius), arb(y, radius)
         values, rows = system(x, y)
-        _, box_rows = system(box_x, box_y)
         inverse = arb_mat(rows).inv().mid()
         correction = inverse * arb_mat(2, 1, values)
-        spread = arb_mat([[1, 0], [0, 1]]) - inverse * arb_mat(box_rows)
-        delta = spread * arb_mat(2, 1, [arb(0, radius), arb(0, radius)])
-        new_x, new_y = x - correction[0, 0] + delta[0, 0], y - correction[1, 0] + delta[1, 0]
-        if not (box_x.contains_interior(new_x) and box_y.contains_interior(new_y)):
+        for bits in (BITS // 2, 5 * BITS // 8, 3 * BITS // 4):  # next to the corner slopes differ much within a box
+            radius = arb(2) ** -bits
+            box_x, box_y = arb(x, radius), arb(y, radius)
+            spread = arb_mat([[1, 0], [0, 1]]) - inverse * arb_mat(system(box_x, box_y)[1])
+            delta = spread * arb_mat(2, 1, [arb(0, radius), arb(0, radius)])
+            new_x, new_y = x - correction[0, 0] + delta[0, 0], y - correction[1, 0] + delta[1, 0]
+            if box_x.contains_interior(new_x) and box_y.contains_interior(new_y):
+                break
+        else:
             raise ArithmeticError("Krawczyk's test fails")
         if not (Omega.overlaps(new_x) and A.overlaps(new_y)):
             raise ArithmeticError("Newton's method left the enclosure")
