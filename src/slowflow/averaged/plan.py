@@ -287,9 +287,9 @@ def plan(question: str, F_0: float | None, whole: Model, onset: SaddleNodeOnset 
     elif not proofs.is_plain(whole):
         kept = (step for step in steps if step.name != "number")
         steps = tuple(step._replace(why=step.why.removesuffix(IN_BALLS)) for step in kept)
-    vanishing = [name for name in ("mu", "zeta") if getattr(whole, name) == 0]
+    vanishing = [name for name, value in (("{mu}", whole.mu), ("zeta", whole.zeta)) if value == 0]
     if vanishing and not whole.laws.any:
-        equation = QUADRATIC.format(" = ".join([*vanishing, "0"]))
+        equation = QUADRATIC.format(text(" = ".join([*vanishing, "0"])))
     else:
         equation = QUARTIC.format(whole.laws.description() if whole.laws.any else text("{mu} > 0, zeta > 0"))
     return Plan(question, F_0, whole, (_force(question, F_0, whole), Step("slow flow", True, equation), *steps))
