@@ -384,6 +384,7 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
         ValueError
             For contact="attached": beyond u_cr the friction term of I decreases, and I = F_0 has no closed form.
         """
+        self.at_centre("limit_envelope")
         self._check_envelope()
         Omega, F_0 = validate.positive_array("Omega", Omega), validate.positive_array("F_0", F_0)
         shape = validate.common_shape({"Omega": Omega, "F_0": F_0})
