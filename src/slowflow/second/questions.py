@@ -76,7 +76,7 @@ UNANSWERED = {
         ("at_rest", "steady_state", "exact_response", "sweep", "transient", "shock_spectrum", "random"),
         "it does not depend on the approximation: call it on the oscillator, or on the designs",
     ),
-    **dict.fromkeys(("rest", "off_centre"), "its motions are about the centre"),
+    **dict.fromkeys(("rest", "off_centre", "at_centre"), "its motions are about the centre"),
     "validity": "measured errors are in the .message of its answers",
     "many": "batches begin with the designs, as Isolator.many(...).second_approximation",
     "certify": "proofs concern the averaged equations",
