@@ -11,9 +11,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "interval.h"
+#include "krawczyk.h"
 
-enum { SF_MOST_UNKNOWNS = 3, SF_BOX_STEPS = 12 };
+enum { SF_BOX_STEPS = 12 };
 
 /* by how much of its half width a box is enlarged for the proof, so that a solution on an edge is inside of one */
 #define SF_BOX_AROUND 0.125
@@ -35,12 +35,6 @@ typedef struct {
     double low[SF_MOST_UNKNOWNS], at[SF_MOST_UNKNOWNS], high[SF_MOST_UNKNOWNS];
     ptrdiff_t of;
 } sf_box_place;
-
-/* Values at the point, values and slopes on the box, and between which ends its solutions are. */
-typedef struct {
-    sf_interval at[SF_MOST_UNKNOWNS], on[SF_MOST_UNKNOWNS], slope[SF_MOST_UNKNOWNS][SF_MOST_UNKNOWNS],
-        holds[SF_MOST_UNKNOWNS];
-} sf_values;
 
 /* As many as unknowns; `on` returns 0 where they could not be evaluated. */
 typedef struct {
@@ -70,67 +64,6 @@ static inline double sf_box_size(double x) { return fmax(fabs(x), 1); }
 static inline double sf_magnitude(sf_interval a) {
     const double low = fabs(a.lo), high = fabs(a.hi);
     return low >= high ? low : high >= low ? high : NAN;
-}
-
-/* X becomes the inverse of J times X, by Gauss's method; 0 where a pivot is 0. J is lost. */
-static int sf_eliminate(int d, double J[][SF_MOST_UNKNOWNS], int columns, double X[][SF_MOST_UNKNOWNS]) {
-    for (int k = 0; k < d; k++) {
-        int best = k;
-        for (int i = k + 1; i < d; i++)
-            best = fabs(J[i][k]) > fabs(J[best][k]) ? i : best;
-        for (int j = 0; j < d; j++) {
-            const double one = J[k][j];
-            J[k][j] = J[best][j], J[best][j] = one;
-        }
-        for (int j = 0; j < columns; j++) {
-            const double one = X[k][j];
-            X[k][j] = X[best][j], X[best][j] = one;
-        }
-        if (!(fabs(J[k][k]) > 0 && isfinite(J[k][k])))
-            return 0;
-        for (int i = 0; i < d; i++) {
-            const double fraction = J[i][k] / J[k][k];
-            for (int j = 0; i != k && j < d; j++)
-                J[i][j] -= fraction * J[k][j];
-            for (int j = 0; i != k && j < columns; j++)
-                X[i][j] -= fraction * X[k][j];
-        }
-    }
-    for (int i = 0; i < d; i++)
-        for (int j = 0; j < columns; j++)
-            X[i][j] /= J[i][i];
-    return 1;
-}
-
-/* x - Y f(x) + (1 - Y J)(X - x), Y the inverse of J in the middle of X: its centre and radius, infinite where there is
- * no Y; and what of the radius is due to how values are known. */
-static void sf_krawczyk(int d, const sf_box_place *place, const double *wide, const sf_values *of, double *centre,
-                        double *radius, double *floor_) {
-    double J[SF_MOST_UNKNOWNS][SF_MOST_UNKNOWNS], lost[SF_MOST_UNKNOWNS][SF_MOST_UNKNOWNS];
-    double Y[SF_MOST_UNKNOWNS][SF_MOST_UNKNOWNS] = {{0}};
-    int j, known = 1;
-    for (int i = 0; i < d; i++)
-        for (Y[i][i] = 1, j = 0; j < d; j++) {
-            J[i][j] = lost[i][j] = 0.5 * (of->slope[i][j].lo + of->slope[i][j].hi);
-            known = known && isfinite(of->slope[i][j].lo) && isfinite(of->slope[i][j].hi);
-        }
-    known = known && sf_eliminate(d, lost, d, Y);
-    for (int i = 0; i < d; i++) {
-        double shift = 0, error = 0x1p-51 * fabs(place->at[i]), reach = 0;
-        for (j = 0; j < d; j++) {
-            /* some multiplications of doubles, each a rounding */
-            double product = 0, size = 1, spread = 0;
-            const double value = 0.5 * (of->at[j].lo + of->at[j].hi);
-            for (int k = 0; k < d; k++) {
-                product += Y[i][k] * J[k][j], size += fabs(Y[i][k] * J[k][j]);
-                spread += fabs(Y[i][k]) * 0.5 * (of->slope[k][j].hi - of->slope[k][j].lo);
-            }
-            shift += Y[i][j] * value, error += fabs(Y[i][j]) * 0.5 * (of->at[j].hi - of->at[j].lo);
-            reach += (fabs((i == j) - product) + spread + 0x1p-49 * size) * wide[j] + 0x1p-49 * fabs(Y[i][j] * value);
-        }
-        centre[i] = place->at[i] - shift, floor_[i] = known ? error : HUGE_VAL;
-        radius[i] = known && !isnan(reach + error) ? reach + error : HUGE_VAL;
-    }
 }
 
 /* Between which ends an equation by itself has its zeros in an unknown, from what the others move it by. */
@@ -180,17 +113,16 @@ static int sf_judge(int d, const sf_box *box, const sf_box_place *place, const s
     double wide[SF_MOST_UNKNOWNS], centre[SF_MOST_UNKNOWNS] = {0}, radius[SF_MOST_UNKNOWNS], floor_[SF_MOST_UNKNOWNS],
                                    most = -1;
     sf_box left = *box;
-    int none = 0, inside = 1, narrow = 1, across = 0;
+    int narrow = 1, across = 0;
     for (int i = 0; i < d; i++)
         wide[i] = fmax(place->high[i] - place->at[i], place->at[i] - place->low[i]);
-    sf_krawczyk(d, place, wide, of, centre, radius, floor_);
+    sf_krawczyk(d, place->at, wide, of, centre, radius, floor_);
+    int none = sf_is_off(d, box->low, box->high, centre, radius);
     for (int i = 0; i < d; i++) {
         double varies = 0, x = 0.5 * (box->low[i] + box->high[i]);
         for (int j = 0; j < d; j++)
             varies += sf_magnitude(of->slope[i][j]) * wide[j] * (1 + SF_BOX_ERROR);
         none |= sfi_has_sign(of->on[i]) || of->at[i].lo - varies > 0 || of->at[i].hi + varies < 0;
-        none |= centre[i] - radius[i] > box->high[i] || centre[i] + radius[i] < box->low[i];
-        inside &= fabs(centre[i] - place->at[i]) + radius[i] < wide[i];
         narrow &= 0.5 * (box->high[i] - box->low[i]) <= SF_BOX_NARROWEST * sf_box_size(x);
         left.low[i] = fmax(left.low[i], of->holds[i].lo), left.high[i] = fmin(left.high[i], of->holds[i].hi);
         for (int j = 0; j < d; j++) {
@@ -206,7 +138,7 @@ static int sf_judge(int d, const sf_box *box, const sf_box_place *place, const s
     for (int i = 0; i < d; i++)
         out->x[i] = centre[i], out->middle[i] = place->at[i], out->wide[i] = wide[i];
     out->of = box->of;
-    if (inside)
+    if (sf_is_within(d, place->low, place->high, centre, radius))
         return SF_BOX_SOLVED;
     for (int i = 0; i < d; i++) {
         const double x = 0.5 * (box->low[i] + box->high[i]);

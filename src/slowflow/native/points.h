@@ -13,6 +13,7 @@
 #pragma once
 
 #include "demands.h"
+#include "krawczyk.h"
 
 enum {
     SF_MOST_BOXES = 200000, /* looked at, after which the search is given up */
@@ -114,9 +115,9 @@ static sf_interval sf_determinant(const sf_interval f[6]) { return sfi_sub(sfi_m
 
 /* ==== One point ================================================================================================== */
 
-/* Newton's method from a place in a box; 0 where it leads nowhere, or beyond the piece. f: what is found there */
-static int sf_approach_point(const sf_law_search *search, sf_law_point *point, double f[6]) {
-    double last = HUGE_VAL;
+/* Newton's method from a place in a box; 0 where it leads nowhere, or beyond the piece. */
+static int sf_approach_point(const sf_law_search *search, sf_law_point *point) {
+    double last = HUGE_VAL, f[6];
     for (int i = 0; i < SF_NEWTON_STEPS; i++) {
         const sf_sample at = sf_sample_at(search->model, point->A);
         sf_functions_at(search, &at, point, f);
@@ -137,92 +138,62 @@ static int sf_approach_point(const sf_law_search *search, sf_law_point *point, d
     return last <= 0x1p-30;
 }
 
-/* A box around a point: its strip, and what the other unknown is on it. */
-typedef struct {
-    sf_node a, b;
-    sf_interval u;
-} sf_surroundings;
-
-/* Where Krawczyk's operator maps a box to, both from a place in it: off: the functions there, times `inverse`, of
- * slopes there; on: the slopes on the box. */
-static void sf_map_box(const double inverse[4], const sf_interval off[2], const sf_interval on[6],
-                       const sf_interval box[2], sf_interval image[2]) {
-    for (int i = 0; i < 2; i++) {
-        image[i] = sfi_neg(off[i]);
-        for (int k = 0; k < 2; k++) {
-            const sf_interval slope = sfi_add(sfi_mul(sfi_point(inverse[2 * i]), on[2 + k]),
-                                              sfi_mul(sfi_point(inverse[2 * i + 1]), on[4 + k]));
-            image[i] = sfi_add(image[i], sfi_mul(sfi_sub(sfi_point(i == k), slope), box[k]));
-        }
-    }
-}
-
-static sf_interval sf_times_row(const double *inverse, const sf_interval at[6]) {
-    return sfi_add(sfi_mul(sfi_point(inverse[0]), at[0]), sfi_mul(sfi_point(inverse[1]), at[1]));
-}
-
-/* Whether a box around a point, which is made, is proved to hold exactly one: Krawczyk's operator, with the slopes at
- * the point, maps it into itself. */
-static int sf_prove_point(const sf_law_search *search, const double f[6], sf_law_point *point,
-                          sf_surroundings *around) {
-    const double determinant = f[2] * f[5] - f[3] * f[4];
-    const double inverse[4] = {f[5] / determinant, -f[3] / determinant, -f[4] / determinant, f[2] / determinant};
-    const sf_interval A = sfi_point(point->A), u = sfi_point(point->u);
-    sf_interval at[6], on[6], off[2], box[2], image[2];
+/* The functions at a place, within their roundings. */
+static void sf_functions_about(const sf_law_search *search, const double place[2], int by_w, sf_interval out[6]) {
     sf_strip strip;
     sf_node node;
-    double extent[2];
-    sf_node_at(search, point->A, &node);
+    sf_node_at(search, place[0], &node);
     sf_make_strip(search, &node, &node, &strip);
-    sf_functions_within(search, &strip, point->by_w, u, at);
-    for (int i = 0; i < 2; i++) {
-        off[i] = sf_times_row(inverse + 2 * i, at);
-        extent[i] = SF_AROUND * sf_size_of(off[i]);
-    }
-    extent[0] = sfi_most(extent[0], sfi_least(SF_AROUND_LEAST * point->A, 0.25 * (point->A - search->base)));
-    extent[1] = sfi_most(extent[1], SF_AROUND_LEAST * (fabs(point->u) + SF_CLOSE * point->size)); /* R may be 0 */
-    if (!(point->A - extent[0] > search->base && extent[1] < HUGE_VAL))
-        return 0;
-    point->off_A = extent[0], point->off_u = extent[1];
-    sf_node_at(search, point->A - extent[0], &around->a);
-    sf_node_at(search, sfi_least(point->A + extent[0], search->end), &around->b);
-    around->u = sfi_of(point->u - extent[1], point->u + extent[1]);
-    sf_make_strip(search, &around->a, &around->b, &strip);
-    sf_functions_within(search, &strip, point->by_w, around->u, on);
-    box[0] = sfi_sub(strip.cell.A, A), box[1] = sfi_sub(around->u, u);
-    sf_map_box(inverse, off, on, box, image);
-    for (int i = 0; i < 2; i++)
-        if (!(image[i].lo > box[i].lo && image[i].hi < box[i].hi))
-            return 0;
-    return 1;
+    sf_functions_within(search, &strip, by_w, sfi_point(place[1]), out);
 }
 
-/* Whether a box with these slopes, whose determinant has a sign, is proved to hold none, as next to a point outside:
- * the operator maps it off itself. */
+/* Krawczyk's operator on a box between two corners, from a place in it: at: the functions there; on: on the box */
+static void sf_map_box(const sf_interval at[6], const sf_interval on[6], const double place[2], const double low[2],
+                       const double high[2], double centre[2], double radius[2]) {
+    double wide[2], floor_[2];
+    sf_values of;
+    for (int i = 0; i < 2; i++) {
+        of.at[i] = at[i], of.slope[i][0] = on[2 + 2 * i], of.slope[i][1] = on[3 + 2 * i];
+        wide[i] = fmax(high[i] - place[i], place[i] - low[i]);
+    }
+    sf_krawczyk(2, place, wide, &of, centre, radius, floor_);
+}
+
+static inline sf_interval *sf_second_unknown(sf_law_box *box) { return box->by_w ? &box->of.w : &box->of.R; }
+
+/* Whether a box around a point, which is made, is proved to hold exactly one. */
+static int sf_prove_point(const sf_law_search *search, sf_law_point *point, sf_law_box *around) {
+    const double A = point->A, u = point->u, place[2] = {A, u};
+    double centre[2], radius[2], extent[2];
+    sf_interval at[6], on[6];
+    sf_strip strip;
+    sf_functions_about(search, place, point->by_w, at);
+    sf_map_box(at, at, place, place, place, centre, radius);
+    for (int i = 0; i < 2; i++)
+        extent[i] = SF_AROUND * (fabs(centre[i] - place[i]) + radius[i]);
+    point->off_A = sfi_most(extent[0], sfi_least(SF_AROUND_LEAST * A, 0.25 * (A - search->base)));
+    point->off_u = sfi_most(extent[1], SF_AROUND_LEAST * (fabs(u) + SF_CLOSE * point->size)); /* R may be 0 */
+    if (!(A - point->off_A > search->base && A <= search->end && point->off_u < HUGE_VAL))
+        return 0;
+    const double low[2] = {A - point->off_A, u - point->off_u};
+    const double high[2] = {sfi_least(A + point->off_A, search->end), u + point->off_u};
+    sf_node_at(search, low[0], &around->a), sf_node_at(search, high[0], &around->b);
+    around->by_w = point->by_w, *sf_second_unknown(around) = sfi_of(low[1], high[1]);
+    sf_make_strip(search, &around->a, &around->b, &strip);
+    sf_functions_within(search, &strip, point->by_w, *sf_second_unknown(around), on);
+    sf_map_box(at, on, place, low, high, centre, radius);
+    return sf_is_within(2, low, high, centre, radius);
+}
+
+/* Whether a box, of which the functions are known, is proved to hold none, as next to a point outside. */
 static int sf_is_left(const sf_law_search *search, const sf_law_box *box, double middle, sf_interval u,
                       const sf_interval on[6]) {
-    const sf_interval centre = sfi_point(0.5 * (u.lo + u.hi));
-    const sf_interval off_centre[2] = {sfi_sub(sfi_of(box->a.at.A, box->b.at.A), sfi_point(middle)),
-                                       sfi_sub(u, centre)};
-    sf_interval at[6], off[2], image[2];
-    double slope[6], inverse[4];
-    sf_strip strip;
-    sf_node node;
-    sf_node_at(search, middle, &node);
-    sf_make_strip(search, &node, &node, &strip);
-    sf_functions_within(search, &strip, box->by_w, centre, at);
-    for (int i = 2; i < 6; i++)
-        slope[i] = 0.5 * (at[i].lo + at[i].hi);
-    const double determinant = slope[2] * slope[5] - slope[3] * slope[4];
-    inverse[0] = slope[5] / determinant, inverse[1] = -slope[3] / determinant;
-    inverse[2] = -slope[4] / determinant, inverse[3] = slope[2] / determinant;
-    off[0] = sf_times_row(inverse, at), off[1] = sf_times_row(inverse + 2, at);
-    sf_map_box(inverse, off, on, off_centre, image);
-    for (int i = 0; i < 2; i++)
-        if (sf_size_of(image[0]) < HUGE_VAL && sf_size_of(image[1]) < HUGE_VAL &&
-            (image[i].lo > off_centre[i].hi || image[i].hi < off_centre[i].lo))
-            return 1;
-    return 0;
+    const double place[2] = {middle, 0.5 * (u.lo + u.hi)}, low[2] = {box->a.at.A, u.lo}, high[2] = {box->b.at.A, u.hi};
+    double centre[2], radius[2];
+    sf_interval at[6];
+    sf_functions_about(search, place, box->by_w, at);
+    sf_map_box(at, on, place, low, high, centre, radius);
+    return sf_is_off(2, low, high, centre, radius);
 }
 
 static void sf_add_point(sf_law_points *found, const sf_law_point *point) {
@@ -259,26 +230,23 @@ static double sf_level_at_point(const sf_law_search *search, const sf_law_point 
     return (sf_inertial(search->model) ? inertia_level : slow_flow_level)(w, 0, I, 0, R);
 }
 
-static inline sf_interval *sf_second_unknown(sf_law_box *box) { return box->by_w ? &box->of.w : &box->of.R; }
-
 /* Whether the only point that a box may have is found, where the determinant has a sign on the box. */
 static int sf_settle_point(sf_law_search *search, sf_law_box *box, double middle) {
     const sf_interval u = *sf_second_unknown(box);
-    sf_law_point point = {0};
-    sf_surroundings around;
-    double f[6];
-    point.A = middle, point.u = 0.5 * (u.lo + u.hi), point.by_w = box->by_w, point.part = search->part;
-    if (!sf_approach_point(search, &point, f) || !sf_prove_point(search, f, &point, &around))
+    sf_law_point point = {.A = middle, .u = 0.5 * (u.lo + u.hi), .by_w = box->by_w, .part = search->part};
+    sf_law_box around;
+    if (!sf_approach_point(search, &point) || !sf_prove_point(search, &point, &around))
         return 0;
-    if (around.a.at.A > box->b.at.A || around.b.at.A < box->a.at.A || sf_is_none(sfi_both(around.u, u)))
+    const sf_interval near = *sf_second_unknown(&around);
+    if (around.a.at.A > box->b.at.A || around.b.at.A < box->a.at.A || sf_is_none(sfi_both(near, u)))
         return 0;
-    if (around.a.at.A < box->a.at.A || around.b.at.A > box->b.at.A || around.u.lo < u.lo || around.u.hi > u.hi) {
+    if (around.a.at.A < box->a.at.A || around.b.at.A > box->b.at.A || near.lo < u.lo || near.hi > u.hi) {
         /* on the edge: there is no other in both together */
         sf_interval slopes[6];
         sf_strip strip;
         sf_make_strip(search, around.a.at.A < box->a.at.A ? &around.a : &box->a,
                       around.b.at.A > box->b.at.A ? &around.b : &box->b, &strip);
-        sf_functions_within(search, &strip, box->by_w, sfi_join(u, around.u), slopes);
+        sf_functions_within(search, &strip, box->by_w, sfi_join(u, near), slopes);
         if (!sfi_has_sign(sf_determinant(slopes)))
             return 0;
     }
