@@ -86,7 +86,10 @@ def _above(level: arb, forcing: arb) -> bool:
 def _condition(oscillator: Oscillator, Omega: arb, A: arb, regime: str) -> float:
     """Of a level of the states in the oscillator's numbers, Omega and h: where F_A = 0, A may stay as it is."""
     level = oscillator.forcing(Omega, A, _side(regime))
-    found = Conditioning(oscillator).solved(Point(Omega, A, regime), ("F_0",), ("F",), Omega, level)
+    try:
+        found = Conditioning(oscillator).solved(Point(Omega, A, regime), ("F_0",), ("F",), Omega, level)
+    except ValueError:  # u_cr passes the amplitude as a parameter changes by 2^-100
+        return math.nan
     return found.inputs["F_0"] + found.kernel["F_0"]
 
 
