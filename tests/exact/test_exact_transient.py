@@ -184,6 +184,19 @@ def test_linear_shock_under_a_load_is_that_about_its_rest(friction):
     assert (spectrum.A[0], spectrum.a_max[0]) == (found.A, found.a_max)
 
 
+@pytest.mark.parametrize("zeta", [0.6, 0.9, 1.0, 1.3, 2.0])
+def test_a_damped_mass_under_a_load_comes_back(zeta):
+    """Where it has come back but for rounding nothing moves it: the linear mass moves about its equilibrium."""
+    pulse = {"acceleration": 0.5, "duration": 2.0}
+    for load in (0.05, 0.3, -0.1):
+        found, plain = (Duffing(1.0, 0.0, zeta=zeta, load=one).transient(**pulse) for one in (load, 0.0))
+        assert np.abs(found.series().u - load - plain.series().u).max() < 1e-14 and not found.rests
+        well = Duffing(1.0, 0.5, zeta=zeta, load=load).transient(**pulse)
+        assert not well.rests and well.u_end + 0.5 * well.u_end**3 == pytest.approx(load, abs=1e-8)
+        many = Duffing.many(1.0, 0.5, zeta=zeta, load=load).transient(**pulse)
+        assert (many.status, many.A, many.rests, many.u_end) == (0, well.A, 0, well.u_end)
+
+
 def test_shock_under_a_load_is_another_integrators_and_mirrored():
     mount = isolator(mu=0.0, load=0.03)
     found = mount.transient(acceleration=0.5, duration=3.0)

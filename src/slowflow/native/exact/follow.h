@@ -161,7 +161,10 @@ static double sf_break_away(const sf_forced *forced, int region, double theta, d
 
 /* what follows a stop reached in direction slip: the next direction, 0 if friction holds the mass */
 static inline int sf_after_stop(const sf_forced *forced, int slip, int region, double theta, double u) {
-    const double push = sf_push(forced, region, theta, u), holds = sf_holding(forced->system, region);
+    const double push = sf_push(forced, region, theta, u);
+    double holds = sf_holding(forced->system, region);
+    if (forced->F_0 == 0.0) /* the spring balances the load but for a rounding, which moves nothing */
+        holds = fmax(holds, SF_BALANCED * fabs(forced->system->load));
     if (holds > 0 && fabs(push) <= holds)
         return 0;
     return slip ? -slip : push > 0 ? 1 : -1;

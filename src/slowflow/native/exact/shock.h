@@ -211,6 +211,7 @@ static sf_outcome sf_shock(sf_shocked *shock, const sf_arc *arcs, long count, do
     }
     if (from != 0.0 && from >= out[0] * SF_SAME)
         out[1] = begin;
-    out[5] = shock->at[shock->count - 1].phase.slip == 0, out[6] = shock->u;
+    const sf_phase *const last = &shock->at[shock->count - 1].phase;
+    out[5] = last->slip == 0 && sf_holding(shock->system, last->region) > 0.0, out[6] = shock->u;
     return sf_largest_acceleration(shock, &out[2], &out[3]);
 }
