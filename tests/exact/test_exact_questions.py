@@ -15,6 +15,7 @@ from slowflow.exact import EquationOfMotion, linear
 from slowflow.exact.motion import limited
 from slowflow.example import isolator
 from slowflow.support.errors import NotSettled
+from tests.files import MOUNT
 from tests.oracles import by_time
 from tests.sampling import slow
 
@@ -374,12 +375,46 @@ def test_refusals_of_an_equation_of_motion_say_why(question, message):
 
 @pytest.mark.parametrize(
     ("forcing", "message"),
-    [({"F_0": 0.031}, "at F_0 = 0.031"), ({"F_0": 0.03, "Omega": (0.9, 1.2)}, "at F_0 = 0.03, Omega in")],
+    [({"F_0": 0.031}, "at F_0 = 0.031"), ({"F_0": 0.03, "Omega": (0.9, 1.2)}, "at F_0 = 0.03, Omega from 0.9")],
 )
 def test_a_curve_does_not_start_from_a_motion_of_another_forcing(forcing, message):
     start = isolator().steady_state(Omega=0.8, F_0=0.03)
     with pytest.raises(ValueError, match=f"start must be a steady state {message}"):
         isolator().exact_response(start=start, **forcing)
+
+
+def test_a_start_of_another_forcing_is_refused_in_its_units():
+    start = Isolator.physical(**MOUNT).steady_state(f=2.2, F=5)
+    with pytest.raises(ValueError, match=r"start at f = 2.2 Hz, F = 5 N is .* at F = 4 N, f from 1 Hz to 2 Hz"):
+        Isolator.physical(**MOUNT).exact_response(4, f=(1, 2), start=start)
+    for wrong in (3, "rest"):
+        with pytest.raises(ValueError, match="start must be a result of steady_state"):
+            isolator().exact_response(0.03, start=wrong)
+
+
+@pytest.mark.parametrize("load", [0.0, 0.03])
+def test_motions_where_averaging_rests_are_found_by_amplitude(load):
+    """A base moves the mass from mu on, by averaging from 4 mu/pi on: between them it slips and sticks."""
+    base = isolator(zeta=0.05, excitation="base", load=load)
+    Omega, Y = 0.6, 1.1 * base.mu / 0.6**2
+    assert not (base.amplitudes(Omega=Omega, F_0=Y).A > 0).any()
+    slips = base.steady_state(Omega=Omega, F_0=Y)
+    assert slips.stops and base.steady_state(Omega=Omega, F_0=Y, A=slips.A).A == pytest.approx(slips.A, rel=1e-9)
+
+
+@pytest.mark.parametrize("samples", [0, -3, 2.5, "4", None])
+def test_a_series_has_a_whole_number_of_samples(samples):
+    state, shock = isolator().steady_state(Omega=0.9, F_0=0.04), isolator().transient(acceleration=0.1, duration=1.0)
+    for series in (
+        state.series,
+        shock.series,
+        lambda samples: Isolator.physical(**MOUNT).steady_state(f=2.2, F=5, samples=samples),
+        lambda samples: Isolator.physical(**MOUNT).transient(acceleration=20, duration=0.011, samples=samples),
+    ):
+        with pytest.raises(ValueError, match=r"samples must be an integer >= 1"):
+            series(samples)
+    with pytest.raises(ValueError, match=r"most must be an integer >= 0"):
+        state.harmonics(-1)
 
 
 def test_no_damping_at_all_is_refused():

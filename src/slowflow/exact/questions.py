@@ -56,8 +56,11 @@ PROBE = 2.0**-20
 BOTH = Sentence("{name:s} selects a motion, {u_0} and v_0 set the start of one: give one or the other")
 ONLY = Sentence("averaging has only this motion, and the mass was not found to reach it from rest: {why:s}")
 UNKNOWN = Sentence("whether there are other curves is unknown, as averaging does not give them: {why:s}")
-NONE_NEAR = "no state at {Omega = :g} leads to a periodic motion of the equation of motion"
-START = "start = {start:r} is not allowed: start must be a steady state at {F_0 = :g}, {Omega} in {Omega:r}"
+NO_START = "start = {!r} is not allowed: start must be a result of steady_state"
+START = Sentence(
+    "start at {Omega} = {Omega[0]:.6g}, {F_0} = {F_0[0]:.6g} is not allowed: start must be a steady state at "
+    "{F_0} = {F_0[1]:.6g}, {Omega} from {Omega[1]:.6g} to {Omega[2]:.6g}"
+)
 ROWS = "{tau} and acceleration must be two rows of equal length, {tau} ascending: not of {shapes:s}"
 
 
@@ -101,8 +104,8 @@ class Motions:
         found = [motion for motion in near if motion is not None] + self._static(Omega, F_0)
         if found:
             return min(found, key=lambda motion: abs(motion.A - target))
-        if not guesses:
-            raise NotSettled(text(NONE_NEAR, Omega))
+        if not guesses:  # friction holds every averaged state
+            return self._from_rest(Omega, F_0)
         (A, phi), B = guesses[0]
         return shooting.steady_state(self.system, (A + max(B, 0.0), phi), Omega=Omega, F_0=F_0)
 
@@ -141,8 +144,10 @@ class Motions:
             start = self._from_rest(low, F_0, u_0, v_0)
         elif u_0 is not None or v_0 != 0:
             raise Refused(BOTH.format("start"))
-        elif not (isinstance(start, shooting.SteadyState) and low <= start.Omega <= high and start.F_0 == F_0):
-            raise Refused(text(START, start, F_0, Omega))
+        elif not isinstance(start, shooting.SteadyState):
+            raise Refused(NO_START.format(start))
+        elif not (low <= start.Omega <= high and start.F_0 == F_0):
+            raise Refused(START.format((start.Omega, low, high), (start.F_0, F_0)))
         if start.cycle.sticks:
             message = sticking_message(system, start.Omega, F_0, float(start.unknowns[0]))
             return response.through(F_0, [], False, joined(start.message, message))

@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from slowflow.answers.answer import Answer, in_values
 from slowflow.answers.transmissibility import Transmitted, validated
+from slowflow.core import validate
 from slowflow.core.mechanism import EquationOfMotion, Floats
 from slowflow.exact import motion
 from slowflow.exact.cycle import Cycle, closed_cycle, required_half_turns, sticks_at_jump
@@ -155,6 +156,7 @@ class SteadyState(Answer):
 
     def series(self, samples: int = 400) -> tuple[Floats, Floats, Floats]:
         """tau, u, v = du/dtau at `samples` equal steps of one period from tau = 0, where the forcing is largest."""
+        samples = validate.count("samples", samples, least=1, most=validate.MOST_SAMPLES)
         theta = self.Omega * self.period * np.arange(samples) / samples
         u, v = self._at(theta)
         return theta / self.Omega, u, v
@@ -172,7 +174,7 @@ class SteadyState(Answer):
 
     def harmonics(self, most: int = 7) -> NDArray[np.complex128]:
         """Compute c_0 ... c_most of u = Re sum c_k exp(i k Omega' tau), Omega' = 2 pi/period, by Gauss quadrature."""
-        orders = np.arange(most + 1)
+        orders = np.arange(validate.count("most", most, least=0, most=validate.MOST_SAMPLES) + 1)
         span = self.cycle.half_turns * math.pi
         whole = self.Omega * self.period
         base = TURN / whole

@@ -15,6 +15,7 @@ from typing import Any, ClassVar, NamedTuple
 import numpy as np
 
 from slowflow.answers.answer import Drawn, Table
+from slowflow.core import validate
 from slowflow.core.backend import EXACT
 from slowflow.core.mechanism import EquationOfMotion, Flags, Floats
 from slowflow.exact.motion import MOST_STEPS, MOST_WORK, TURN, Forced, Phase, handle, limited, lost, sample, spend
@@ -105,6 +106,7 @@ class Transient(Drawn):
 
     def series(self, samples: int = 400) -> Series:
         """The motion at `samples` equal steps from the beginning of the pulse to the end of the computed motion."""
+        samples = validate.count("samples", samples, least=1, most=validate.MOST_SAMPLES)
         first, last = self.stretches[0], self.stretches[-1]
         tau = np.linspace(first.since, last.tau(last.phase.end), samples)
         out = np.zeros((4, samples))

@@ -351,9 +351,10 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         A : float, optional
             Select the motion with the amplitude nearest to A, stable or not. Newton's iteration starts from the
             averaged states at Omega, from the averaged folds near it (not under a load) and from A itself; if none
-            converges, the motion from the averaged state nearest to A is followed until it settles. With static
-            friction the motion that a mass at rest tends to is a candidate too. Close to a fold the nearest one may be
-            unstable, see `.stable`. By default the motion that a mass at rest tends to.
+            converges, the motion from the averaged state nearest to A is followed until it settles, from rest where
+            friction holds all of these. With static friction the motion that a mass at rest tends to is a candidate
+            too. Close to a fold the nearest one may be unstable, see `.stable`. By default the motion that a mass at
+            rest tends to.
         force : {"truncated", "untruncated"}, optional
             As in `restoring_force`.
         u_0, v_0 : float, optional

@@ -22,7 +22,7 @@ from slowflow.core.mechanism import Floats
 from slowflow.oscillators import range_checks
 from slowflow.oscillators.arguments import PLAIN, REMARKS, TakesAmplitude, density, window
 from slowflow.oscillators.measurements import Columns
-from slowflow.support.errors import OutOfRange, Refused
+from slowflow.support.errors import OutOfRange
 from slowflow.support.text import in_units
 from slowflow_kernels.domains import DISSIPATION
 
@@ -393,9 +393,7 @@ class Physical(TakesAmplitude):
         Quantities
             .f in Hz, .A in m, the largest |x|, .stable, .stops, shape (n,); .folds with .f .A .kind .corner; .complete.
         """
-        if not (start is None or isinstance(start, Quantities)):
-            raise Refused(f"start = {start!r} is not allowed: start must be a result of steady_state")
-        begun = None if start is None else start.answer
+        begun = getattr(start, "answer", start)
         one, F_0 = self._excited(amplitude, at)
         found = one._ask("exact_response", F_0=F_0, f=f, start=begun, step=step, x_0=x_0, v_0=v_0)
         columns: dict[str, Any] = {"Omega": float, "A": float, "kind": str, "corner": bool}
