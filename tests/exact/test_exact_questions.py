@@ -118,7 +118,7 @@ def test_a_curve_may_start_anywhere_on_it():
 
 
 # a softening spring with friction: above F_0 = 0.2247 the resonance has left the curve through the motions from rest
-SOFTENING, SOFTENING_F_0, SOFTENING_WINDOW = Duffing(1.0, -0.5, 0.05, 0.1), 0.35, (0.4, 1.5)
+SOFTENING, SOFTENING_F_0, SOFTENING_WINDOW = Duffing(1.0, -0.5, 0.05, 0.1), 0.350001, (0.4, 1.5)
 
 
 def test_the_message_leads_to_a_curve_apart():
@@ -126,12 +126,11 @@ def test_the_message_leads_to_a_curve_apart():
     one = SOFTENING.exact_response(SOFTENING_F_0, Omega=SOFTENING_WINDOW)
     other = one
     for _ in range(2):
-        numbers = re.search(r"start = steady_state\(Omega=(.*), F_0=(.*), A=(.*)\) leads", other.message).groups()
-        Omega, F_0, A = (float(number) for number in numbers)
-        assert F_0 == SOFTENING_F_0
-        start = SOFTENING.steady_state(Omega=Omega, F_0=F_0, A=A)
+        numbers = re.search(r"start = steady_state\(Omega=(.*), F_0=\.\.\., A=(.*)\) leads", other.message).groups()
+        Omega, A = (float(number) for number in numbers)
+        start = SOFTENING.steady_state(Omega=Omega, F_0=SOFTENING_F_0, A=A)
         assert start.A == pytest.approx(A, rel=0.1)
-        last, other = other, SOFTENING.exact_response(F_0, Omega=SOFTENING_WINDOW, start=start)
+        last, other = other, SOFTENING.exact_response(SOFTENING_F_0, Omega=SOFTENING_WINDOW, start=start)
     # back on the first one, which turns round at a fold; the resonance is the other
     assert [fold.Omega for fold in other.folds] == pytest.approx([fold.Omega for fold in one.folds], abs=1e-9)
     assert one.Omega.max() < 0.7 and last.Omega.max() == pytest.approx(1.5)
@@ -145,7 +144,7 @@ def test_no_message_where_one_curve_is_all():
     assert isolator(mu=0.028).exact_response(0.04, Omega=(0.5, 1.3)).message == ""
     # but a window that ends between the folds cuts the curve in two
     cut = isolator().exact_response(0.04, Omega=(0.5, 0.95))
-    assert "steady_state(Omega=0.8896, F_0=0.04, A=0.1373)" in cut.message and cut.A[-1] > 0.5
+    assert "steady_state(Omega=0.8896, F_0=..., A=0.1373)" in cut.message and cut.A[-1] > 0.5
     rest = isolator().exact_response(
         0.04, Omega=(0.5, 0.95), start=isolator().steady_state(Omega=0.8896, F_0=0.04, A=0.1373)
     )

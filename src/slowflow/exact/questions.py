@@ -42,7 +42,7 @@ STARTS_ABOVE = Sentence(
 
 OTHER = Sentence(
     "averaging predicts another curve, at {Omega = :.4g}, {A = :.4g}; "
-    "start = steady_state({Omega=:.4g}, {F_0=:.4g}, {A=:.4g}) leads to it"
+    "start = steady_state({Omega=:.4g}, {F_0}=..., {A=:.4g}) leads to it, at the {F_0} of this curve"
 )
 #: a pulse, or a step of a record, whose frequency is beyond the range of doubles
 SHORTEST = math.pi / sys.float_info.max
@@ -175,7 +175,7 @@ class Motions:
             stable = members[curve.stable[members]]
             if stable.size and np.median(distances[members]) > SEPARATION:
                 middle = stable[stable.size // 2]
-                notes.append(OTHER.format(Omega=curve.Omega[middle], A=A[middle], F_0=found.F_0))
+                notes.append(OTHER.format(Omega=curve.Omega[middle], A=A[middle]))
         return joined(*notes)
 
     def sweep(self, Omega: Any, F_0: float, u_0: float | None, v_0: float) -> Sweep:
