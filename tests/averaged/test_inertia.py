@@ -286,6 +286,18 @@ def test_margins_and_isolation_on_a_base_are_those_of_states():
     assert len(kinds) >= 3
 
 
+@pytest.mark.parametrize("F_0", [0.6, 0.7, 0.74, 0.75])
+def test_quadratic_damping_keeps_an_unbalance_from_detaching(F_0):
+    """The amplitude only rises, up to less than F_0: up to u_cr where c_2 A^2 and A balance F_0."""
+    numbers = {"lam": 1.5, "r": 3.5, "delta_h": 0.18, "zeta": 0.6, "c_2": 1.7, "excitation": "unbalance"}
+    one = Isolator(**numbers, force="untruncated")
+    F_cr = one.u_cr * math.hypot(1, 1.7 * 8 / (3 * math.pi) * one.u_cr)
+    A = one.frequency_response(F_0, Omega=(0.0, 1e4)).A
+    many = Isolator.many(**numbers, force="untruncated").margins(F_0)
+    assert one.peak(F_0).A is None and one.margins(F_0).F_cr == pytest.approx(F_cr, rel=1e-12)
+    assert one.margins(F_0).detaches == bool(many.detaches) == (A.max() > one.u_cr) == (F_0 > F_cr)
+
+
 def test_a_response_cut_at_the_reach_claims_nothing_beyond():
     cut = derive.library("three_spring")(alpha=0.9, ell=1.5, zeta=0.02, excitation="base")
     for found in (cut.hysteresis(2.5), cut.isolation(2.5)):

@@ -270,7 +270,7 @@ def margins(oscillator: Any, F_0: float) -> Margins:
     model, F_cr = oscillator.model, detachment.F_cr
     if F_cr is None and model.inertial and oscillator.breakpoints:
         # as no amplitude is lower at a higher frequency
-        F_cr = float(model.full_level(oscillator.breakpoints[0])) if model.laws.any else oscillator.breakpoints[0]
+        F_cr = float(model.full_level(oscillator.breakpoints[0]))
     # even if a mass at rest stays there, there may be motions that detach
     sticks = folds.F_0 <= oscillator.sticking_forcing
     detaches = not model.sticks(folds.F_0) and oscillator._detaches(folds.F_0)
@@ -309,8 +309,8 @@ def passes_first_end(oscillator: Any, F_0: float) -> bool:
     if peak.A is not None and Remark.LEAVES_CENTRE not in peak.remarks:  # the highest motion is stable
         return bool(peak.A > oscillator.breakpoints[0])
     if model.inertial and peak.A is None and not peak._escapes:
-        # it does not close, or only rises, towards F_0
-        return not oscillator.closes(F_0) or F_0 > oscillator.breakpoints[0]
+        # it does not close, or only rises, towards F_0 or with quadratic damping towards less
+        return not oscillator.closes(F_0) or F_0 > float(model.full_level(oscillator.breakpoints[0]))
     if model.undamped and resonates(model):
         return True
     curve = oscillator.frequency_response(F_0, samples=SAMPLES, Omega=(0.0, _window(oscillator, F_0)[1]))

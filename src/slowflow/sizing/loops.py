@@ -25,9 +25,9 @@ if TYPE_CHECKING:
 __all__ = ["Loop", "from_loop"]
 
 LEAST_SAMPLES = 50
-#: standard deviation of speeds, over the largest, up to which they are one speed and its noise
+#: standard deviation of speeds in one direction, over the largest, up to which they are one speed and its noise
 CONSTANT_SPEED = 0.03
-ONE_SPEED = "the loop does not tell friction from c at one speed: without t, friction is the sum of both forces"
+ONE_SPEED = "the loop does not distinguish friction from c at constant speed: without t, friction is the sum of both"
 
 
 @dataclass(frozen=True, eq=False)
@@ -129,9 +129,10 @@ def from_loop(x: Any, F: Any, *, t: Any = None, degree: int = 3) -> Loop:
     size = np.array([np.abs(column).max() for column in columns.values()])
     if not (size > 0).all():
         raise NotSettled(CONSTANT)
-    speeds = np.abs(v[goes])
-    if t is not None and speeds.size and speeds.std() <= CONSTANT_SPEED * speeds.max():
-        raise NotSettled(ONE_SPEED)
+    if t is not None and goes.any():
+        each_way = (v[goes & (side * v > 0)] for side in (1, -1))
+        if all(one.std() <= CONSTANT_SPEED * np.abs(v[goes]).max() for one in each_way if one.size):
+            raise NotSettled(ONE_SPEED)
     of = np.stack(list(columns.values()), axis=1) / size
     value, _, rank, _ = np.linalg.lstsq(of[goes], F[goes])
     left = np.count_nonzero(goes) - len(names)
