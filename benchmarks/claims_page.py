@@ -47,9 +47,9 @@ def figure_2a(recipe: list[Row]) -> Columns:
     """A row for each mu/F_0; recipe: what the paper's own gives there."""
     return {
         "Fig. 2a: mu/F_0": lambda row: f"{row['ratio']:g}",
-        "stops at Omega": stops,
-        "(35) without stops": lambda row: f"{row['moving']['off']:.0e}",
-        "(35) with stops": lambda row: percent(row["stopping"]["off"]) if row["stopping"] else "-",
+        "sticks at Omega": stops,
+        "(35) without sticking": lambda row: f"{row['moving']['off']:.0e}",
+        "(35) with sticking": lambda row: percent(row["stopping"]["off"]) if row["stopping"] else "-",
         "recipe against (35)": lambda row: largest(
             [spot for spot in recipe if spot["ratio"] == row["ratio"]], lambda spot: abs(spot["sampled"])
         ),

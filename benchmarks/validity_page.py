@@ -335,7 +335,7 @@ def _table_2(rows: list[dict[str, Any]]) -> str:
     """Table 2 by each way."""
     ways = [way for way in rows[0] if way != "what"]
     cells = [(row["what"], *("-" if row[way] is None else f"{row[way]:.5f}" for way in ways)) for row in rows]
-    return "\n".join(table(("answer", *ways), cells))
+    return "\n".join(table(("result", *ways), cells))
 
 
 def _random_table(rows: list[dict[str, Any]], *numbers: str) -> str:
@@ -430,7 +430,7 @@ def page(numbers: dict[str, Any]) -> str:
     by_rest: Columns = {
         "mu/(A Omega^2) from": lambda cell: f"{cell['from']:g}",
         "points": lambda cell: str(cell["points"]),
-        "with stops": lambda cell: f"{100 * cell['stopping']:.0f} %",
+        "with sticking": lambda cell: f"{100 * cell['stopping']:.0f} %",
         **spread,
     }
     bins = [{"from": edge, **cell} for edge, cell in zip(pool["rests"], pool["by rest"], strict=True)]
@@ -442,7 +442,7 @@ def page(numbers: dict[str, Any]) -> str:
     }
     motions = [
         {"motion": description, "meant": meant, **pool[kind][force]}
-        for kind, description in (("moving", "without stops"), ("stopping", "with stops"))
+        for kind, description in (("moving", "without sticking"), ("stopping", "with sticking"))
         for force, meant in (("truncated", "truncated: one harmonic"), ("exact", "untruncated: harmonic, truncation"))
     ]
     truncated = _largest(cell.get("A") for cell in numbers["truncation"])

@@ -209,12 +209,12 @@ def section_3_3(facts: Facts) -> Verdicts:
             "preload_range": "With the bracket, (λr)⁻¹: there α = 0, the quasi-zero-stiffness mechanism.",
         },
         LOOSE: {
-            "inflection": "Only at F_0 = F_SN, and only if the root A_s lies below u_cr. It does if and only if F_A < "
-            "0 at u_cr and the least Ω > 0 with F_AA = 0; otherwise (33) has no root that is a point of the response. "
-            "And F_SN of (33) is the onset only up to F_0 = 4μ/π + 2ζ√(−u_cr h_1(u_cr)), h_1 = H_1 − A, where the "
-            "backbone reaches u_cr: from there on folds lie on the corner that the jump of (6) makes. With the "
-            f"other parameters of Table 1 the first condition holds from δ_h = {few(attached)}/(λr) on, both hold from "
-            f"δ_h = {few(lowest)}/(λr) on; Table 1 has 1/(2λr).",
+            "inflection": "Only at F_0 = F_SN, and only if (i) the root A_s lies below u_cr. This holds if and only if "
+            "F_A(Ω_2, u_cr) < 0, where Ω_2 is the least positive root of F_AA(Ω, u_cr) = 0; otherwise (33) has no root "
+            "that is a point of the response. And (ii) F_SN of (33) is the onset only up to F_0 = 4μ/π + "
+            "2ζ√(−u_cr h_1(u_cr)), h_1 = H_1 − A, where the backbone reaches u_cr: from there on folds lie on the "
+            "corner that the jump of (6) makes. With the other parameters of Table 1, (i) holds from "
+            f"δ_h = {few(attached)}/(λr) on, both hold from δ_h = {few(lowest)}/(λr) on; Table 1 has 1/(2λr).",
             "Omega_s": "At A_s, F_AA = 0 has two positive roots, Ω = "
             + " and ".join(few(x) for x in facts.bends_at_onset)
             + "; only the first satisfies F_A = 0 too.",

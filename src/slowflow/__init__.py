@@ -1,6 +1,6 @@
 """Resonance of nonlinear vibration isolators: response curves, folds, detachment, stability.
 
-`Isolator`, `Duffing`, or an `Oscillator` of any other spring model have a method for each question. Results are classes
+`Isolator`, `Duffing` and, for any other spring model, `Oscillator` have a method for each question. Results are classes
 of `slowflow.answers.results`; results in SI units are `Quantities`.
 """
 

@@ -11,10 +11,10 @@
     zeta = 0.02
 
     [ask]
-    F = [3.0, "0.8 lbf"]        # N; F_0 for [isolator] and [duffing]; with excitation = "base" Y in m or a in m/s^2,
-                                # of an "unbalance" U in kg m
+    F = [3.0, "0.8 lbf"]        # N; F_0 for [isolator] and [duffing]; Y in m or a in m/s^2 with excitation = "base",
+                                # U in kg m with excitation = "unbalance"
     f = [5.0]                   # Hz; Omega for [isolator] and [duffing]
-    level_dB = [0, -20]         # for "isolation": transmissibility below which it stays
+    level_dB = [0, -20]         # for "isolation": levels below which the transmissibility is to stay
     A_max = 0.08                # m, for "fold_locus", "cusps" and "isola_points": the largest amplitude
     questions = ["saddle_nodes", "amplitudes", "spectrum"]
 
@@ -27,7 +27,7 @@
 
     [shock]                     # for "transient" and "shock_spectrum": half sines of the base, all combinations
     acceleration = [20.0]       # m/s^2; of either sign for "transient"
-    duration = [0.011, 0.02]    # s; for one record t instead, its times (tau without dimensions)
+    duration = [0.011, 0.02]    # s; for a record of acceleration its times t instead (tau if dimensionless)
 
     [psd]                       # for "random": a one-sided power spectral density, linear in log-log
     f = [1, 5, 100]             # Hz; Omega for a dimensionless oscillator, without unit

@@ -1,7 +1,7 @@
 """Exact motions: periodic solutions, response curves and sweeps of the equation of motion (3).
 
 `steady_state`, `exact_response`, `sweep` and `transient` take an `EquationOfMotion` and its excitation. Friction is not
-smoothed: the times of slip, stick and detachment are roots of the solution.
+smoothed: the times of slip, stick and detachment are computed as roots.
 """
 
 from slowflow.core.mechanism import EquationOfMotion, Force, Law, Piece, linear

@@ -1,4 +1,4 @@
-"""Batches of mounts in SI units, made from arrays of data sheets.
+"""Batches of mounts in SI units, made from arrays of their parameters.
 
 Arguments have the names that a single mount uses; results are in SI units.
 """

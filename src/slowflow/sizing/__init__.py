@@ -38,9 +38,9 @@ results of a shock are not available.
 
 If there are folds that end at Omega = 0 at forces below F_SN, F_SN is not available.
 
-For a design under a load, `load` is its mass, and k_v is preloaded for m. A_peak and A are amplitudes about the mean,
-and A_shock is the largest |x|. Each result, and each row of a spectrum, takes tenths of a second instead of
-microseconds.
+For a design under a load, `load` is the mass that the mount carries, m the mass that k_v is preloaded to carry. A_peak
+and A are amplitudes about the mean, and A_shock is the largest |x|. Each result, and each row of a spectrum, takes
+tenths of a second instead of microseconds.
 """
 
 from slowflow.sizing.fitting import fit

@@ -1,7 +1,7 @@
 """Spring and friction from a measured force-displacement loop.
 
-The force is linear in the unknowns: F = F_mean + k_1 x + k_3 x^3 + k_5 x^5 + friction sign(v) + c v. A least-squares
-fit determines them, without the samples next to a reversal of the motion.
+The force is linear in the unknowns: F = F_mean + k_1 x + k_3 x^3 + friction sign(v) + c v, with k_5 x^5 for degree = 5.
+A least-squares fit determines them, without the samples next to a reversal of the motion.
 """
 
 from __future__ import annotations
