@@ -11,12 +11,14 @@ import sys
 import time
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
+from threading import Barrier
 
 import numpy as np
 import pytest
 
 from slowflow import Duffing, Isolator, Oscillator
 from slowflow.answers.results import Remark
+from slowflow.support.errors import Refused
 from slowflow_kernels import rod_spring
 from slowflow_kernels.conventions import FoldKind, OnsetKind, Status
 from tests.files import Lazily
@@ -309,7 +311,7 @@ def test_store_stopped_before_preparation_is_prepared_anew(tmp_path, monkeypatch
     def stopped(*args, **more):
         raise KeyboardInterrupt
 
-    for broken in ("xarray.Dataset.to_zarr", "zarr.Group.require_array"):
+    for broken in ("xarray.Dataset.to_zarr", "zarr.Group.create_array"):
         with monkeypatch.context() as patched:
             patched.setattr(broken, stopped)
             with pytest.raises(KeyboardInterrupt):
@@ -353,6 +355,50 @@ def test_two_writers_of_one_store_do_no_harm(tmp_path):
         both = [pool.submit(over({"r": 2}).store, path, "saddle_node_onset") for _ in range(2)]
         one, other = (each.result() for each in both)
     assert one.identical(other) and files(path) == files(tmp_path / "whole.zarr")
+
+
+@pytest.mark.filterwarnings("ignore:Object at zarr.*partial")  # Zarr sees what another one is about to write
+def test_writers_that_begin_together_do_no_harm(tmp_path):
+    over({"r": 3}).store(tmp_path / "whole.zarr", "detachment")
+    for number in range(4):
+        path, together = tmp_path / f"{number}.zarr", Barrier(3)
+
+        def begin(path=path, together=together):
+            together.wait()
+            return over({"r": 3}).store(path, "detachment")
+
+        with ThreadPoolExecutor(3) as pool:
+            found = [each.result() for each in [pool.submit(begin) for _ in range(3)]]
+        assert all(one.identical(found[0]) for one in found)
+        assert files(path) == files(tmp_path / "whole.zarr")
+
+
+@pytest.mark.parametrize("of", ["Omega", "status", "r", "mu"])
+@pytest.mark.parametrize("damage", ["missing", "garbled"])
+def test_damaged_chunk_is_computed_again(of, damage, tmp_path):
+    over({"r": 3}).store(tmp_path / "map.zarr", "saddle_nodes", F_0=0.05)
+    whole = files(tmp_path / "map.zarr")
+    chunk = min(tmp_path / "map.zarr" / name for name in whole if name.startswith(f"{of}/c"))
+    if damage == "missing":
+        chunk.unlink()
+    else:
+        content = bytearray(chunk.read_bytes())
+        content[-1] ^= 1  # of the checksum
+        chunk.write_bytes(content)
+    over({"r": 3}).store(tmp_path / "map.zarr", "saddle_nodes", F_0=0.05)
+    assert files(tmp_path / "map.zarr") == whole
+
+
+@pytest.mark.parametrize("of", ["zarr.json", "status/zarr.json", "done/zarr.json", "done/c/0/0"])
+@pytest.mark.parametrize("content", ["{", '{"zarr_format": 3, "node_type": "array"}'])
+def test_damaged_metadata_are_refused_with_their_name(of, content, tmp_path):
+    over({"r": 3}).store(tmp_path / "map.zarr", "detachment")
+    (tmp_path / "map.zarr" / of).write_text(content)
+    before = files(tmp_path / "map.zarr")
+    name = "done" if of.startswith("done/c") else of
+    with pytest.raises(Refused, match=rf"map\.zarr is damaged and is unchanged: {name} cannot be read \(.*delete"):
+        over({"r": 3}).store(tmp_path / "map.zarr", "detachment")
+    assert files(tmp_path / "map.zarr") == before
 
 
 def test_a_store_keeps_the_numbers_and_not_how_they_came(tmp_path):

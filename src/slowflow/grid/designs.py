@@ -95,10 +95,12 @@ class Grid(Unchanging, ManyQuestions["xarray.Dataset", Any]):
 
         Blocks are the chunks of the parameters, or about 250,000 designs along unchunked axes. After an interruption, a
         call with the same numbers computes the missing blocks, with the same bits; until then the attribute `complete`
-        is 0, and status is -1 for missing entries. Returns the store as a lazy Dataset.
+        is 0, and status is -1 for missing entries. Each call reads the blocks that are there, and computes those anew
+        that have lost a chunk or do not match their checksums. Returns the store as a lazy Dataset.
 
-        Raises ValueError for a store with other numbers, another question, version or backend, and FileExistsError if
-        the path is something else, before anything is computed; ImportError without dask, xarray and Zarr.
+        Raises ValueError for a store with other numbers, another question, version or backend, or with damaged
+        metadata, and FileExistsError if the path is something else, before anything is computed; ImportError without
+        dask, xarray and Zarr.
         """
         for package in ("dask", "zarr"):
             optional(package, "store", "grid")

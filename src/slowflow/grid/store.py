@@ -1,8 +1,8 @@
 """A map in a Zarr store, block by block. Takes a question and its numbers; returns the store, complete at last.
 
 A block is computed and written by one task of dask, and ticked off in the array `done` when all of it is written. What
-is not ticked off is computed, or computed again, with the same bits. Nothing else is remembered, so that any process
-may go on where another one stopped.
+is not ticked off is computed, or computed again, with the same bits; so is what is ticked off and cannot be read.
+Nothing else is remembered, so that any process may go on where another one stopped.
 """
 
 from __future__ import annotations
@@ -13,6 +13,7 @@ import os
 import pickle
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -21,6 +22,9 @@ import numpy as np
 import xarray
 import zarr
 from dask.callbacks import Callback
+from zarr.codecs import ZstdCodec
+from zarr.core.sync import sync
+from zarr.errors import ContainsArrayError, ContainsGroupError
 
 from slowflow.grid.block import INNER, NOT_YET, Ask
 from slowflow.support import progress
@@ -47,16 +51,34 @@ def filled(path: Any, ask: Ask, values: Mapping[str, Any], sizes: dict[str, int]
         path = os.path.abspath(path)  # means the same to every process; a store of Zarr, or an address, does as it is
     values = {name: value if _unread(value) else value.compute() for name, value in values.items()}
     identity = _identity(ask, values, sizes)
+    coords = {dim for value in values.values() for dim in value.coords}
     about = {**ask.about, "query": json.dumps(identity), "blocks": json.dumps(blocks), "complete": 0}
-    group = _begun(path, identity, about)
-    blocks = json.loads(group.attrs["blocks"])
-    if DONE not in group:
-        _prepare(path, ask, values, group, sizes, blocks)
-    if not group.attrs["complete"]:
-        with _reporter(group):
-            dask.compute(*_missing(path, ask, values, group, sizes, blocks))
-        group.attrs["complete"] = int(np.all(group[DONE][...]))
+    about["coordinates"] = " ".join(sorted((coords | values.keys()) - sizes.keys()))
+    while True:
+        try:
+            group = _begun(path, identity, about)
+            blocks = json.loads(group.attrs["blocks"])
+            _prepare(path, ask, values, group, sizes, blocks)
+        except (ContainsGroupError, ContainsArrayError):
+            continue  # another process made it in between: it is there now
+        break
+    dims = list(sizes)
+    unread = {name: tuple(map(dims.index, _dims(value, sizes))) for name, value in values.items() if _unread(value)}
+    fill = Fill(path, ask, unread)
+    done = _read(path, DONE, lambda: group[DONE][...])
+    dask.compute(*(dask.delayed(fill.check, pure=False)(tuple(block)) for block in np.argwhere(done).tolist()))
+    _note_complete(group)
+    with _reporter(group):
+        dask.compute(*_missing(fill, values, group, sizes, blocks))
+    _note_complete(group)
     return xarray.open_zarr(path, consolidated=False).drop_vars(DONE)
+
+
+def _note_complete(group: Any) -> None:
+    """Note whether every block is ticked off; what is noted is not written again, another process may know better."""
+    complete = int(np.all(group[DONE][...]))
+    if group.attrs["complete"] != complete:
+        group.attrs["complete"] = complete
 
 
 def _reporter(group: Any) -> Callback:
@@ -91,24 +113,42 @@ class Fill:
         """The block with this number, in this region of the map; values have all its axes, some of length 1."""
         group = zarr.open_group(self.path, mode="r+")
         for name, column in zip(self.ask.columns, self.ask(*values), strict=True):
-            group[name][region] = column
+            # chunks without a number are written too: one that is missing is lost
+            group[name].with_config({"write_empty_chunks": True})[region] = column
         by_name = dict(zip(self.ask.names, values, strict=True))
         for name, axes in self.unread.items():
             value = by_name[name].reshape([by_name[name].shape[k] for k in axes])
-            group[name][tuple(region[k] for k in axes)] = value
+            group[name].with_config({"write_empty_chunks": True})[tuple(region[k] for k in axes)] = value
         group[DONE][block] = True
+
+    def check(self, block: Block) -> None:
+        """Take back the tick of a block of which a chunk is missing, which reads as the fill value, or is damaged."""
+        group = zarr.open_group(self.path, mode="r+")
+        chunks = {name: (*block, 0) if column.axis else block for name, column in self.ask.columns.items()}
+        chunks |= {name: tuple(block[k] for k in axes) for name, axes in self.unread.items()}
+        if not all(_is_readable(group[name], chunk) for name, chunk in chunks.items()):
+            group[DONE][block] = False
+
+
+def _is_readable(array: Any, chunk: Block) -> bool:
+    """Whether a chunk is there, and decodes; its checksum is compared with that."""
+    if not sync((array.store_path / array.metadata.encode_chunk_key(chunk)).exists()):
+        return False
+    try:
+        array.get_block_selection(chunk)
+    except (RuntimeError, ValueError):  # of the codec, or of an array that has another size
+        return False
+    return True
 
 
 def _missing(
-    path: Any, ask: Ask, values: Mapping[str, Any], group: Any, sizes: Mapping[str, int], blocks: Mapping[str, int]
+    fill: Fill, values: Mapping[str, Any], group: Any, sizes: Mapping[str, int], blocks: Mapping[str, int]
 ) -> Iterator[Any]:
     """The tasks of the blocks that are not ticked off."""
-    dims = list(sizes)
-    unread = {name: tuple(map(dims.index, _dims(value, sizes))) for name, value in values.items() if _unread(value)}
-    task = dask.delayed(Fill(path, ask, unread), pure=False, traverse=False)
+    task = dask.delayed(fill, pure=False, traverse=False)
     pieces = [_part_of(value, sizes, blocks) for value in values.values()]
     for block in np.argwhere(~np.asarray(group[DONE][...])).tolist():
-        steps = list(zip(dims, block, strict=True))
+        steps = list(zip(sizes, block, strict=True))
         region = tuple(slice(k * blocks[dim], min((k + 1) * blocks[dim], sizes[dim])) for dim, k in steps)
         yield task(tuple(block), region, *(part(tuple(block), region) for part in pieces))
 
@@ -142,9 +182,10 @@ def _begun(path: Any, identity: dict[str, Any], about: dict[str, Any]) -> Any:
     """The store that was begun with the same numbers, or a new one, which has nothing but what it is about."""
     folder = Path(path) if isinstance(path, str) and "://" not in path else None
     try:
-        group = zarr.open_group(path, mode="r+")
+        group = _read(path, "zarr.json", lambda: zarr.open_group(path, mode="r+"))
     except (FileNotFoundError, FileExistsError):
-        if folder is not None and folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
+        others = folder is not None and folder.exists() and (not folder.is_dir() or any(folder.iterdir()))
+        if folder is not None and others and not any(folder.glob("zarr.*")):  # else another process began just now
             raise FileExistsError(f"{path} exists and is not a Zarr store") from None
         return zarr.create_group(path, attributes=about)
     begun = json.loads(group.attrs.get("query", "{}"))
@@ -159,31 +200,52 @@ def _begun(path: Any, identity: dict[str, Any], about: dict[str, Any]) -> Any:
     return group
 
 
+def _read(path: Any, what: str, read: Callable[[], Any]) -> Any:
+    """What a function reads of a store. Raises Refused if that is damaged, with where and what to do."""
+    try:
+        return read()
+    except OSError:  # it is not there, or not allowed
+        raise
+    except (KeyError, RuntimeError, TypeError, ValueError) as error:
+        raise Refused(
+            f"{path} is damaged and is unchanged: {what} cannot be read ({error}): restore it from a copy, or delete "
+            "the store to compute it anew"
+        ) from error
+
+
 def _prepare(
     path: Any, ask: Ask, values: Mapping[str, Any], group: Any, sizes: dict[str, int], blocks: dict[str, int]
 ) -> None:
-    """All arrays of a store, of which those are filled that were read; `done` comes last.
+    """All arrays of a store; `done` comes last. Raises Refused for those whose metadata are damaged.
 
-    What is there is left, so that two processes that begin at the same time do each other no harm.
+    What was read is written in any case, each file whole and with the same bytes; other arrays are left if they are
+    there. So processes that begin at the same time do each other no harm.
     """
     unread = {name: value for name, value in values.items() if _unread(value)}
-    read = {name: value for name, value in values.items() if name not in unread}
     coords = {dim: coord for value in values.values() for dim, coord in value.coords.items()}
-    # an encoding is of where they come from, and may round
-    about = {name: value for name, value in group.attrs.items() if name != "coordinates"}
-    known = xarray.Dataset(coords=coords | read, attrs=about).drop_encoding()
-    known.to_zarr(path, mode="a", consolidated=False)
-    group.attrs["coordinates"] = " ".join(sorted(set(known.coords) - set(known.sizes) | unread.keys()))
+    read = {name: value for name, value in values.items() if name not in unread}
+    # as variables, because xarray would write attributes about coordinates; an encoding is of where they come from, and
+    # may round
+    encoded: dict[str, Any] = {}
+    known = xarray.Dataset(coords=coords | read).reset_coords().drop_encoding()
+    known.to_zarr(zarr.storage.MemoryStore(encoded), consolidated=False)
+    for key, content in encoded.items():
+        if key != "zarr.json":
+            sync((group.store_path / key).set(content))
     counts = {f"block_of_{dim}": -(-length // blocks[dim]) for dim, length in sizes.items()}
     lengths, cut = sizes | ask.lengths | counts, blocks | ask.lengths | dict.fromkeys(counts, 1)
 
     def make(name: str, dims: list[str], kind: Any, fill: Any, attributes: dict[str, Any]) -> None:
-        group.require_array(
+        if sync((group.store_path / f"{name}/zarr.json").exists()):
+            _read(path, f"{name}/zarr.json", partial(group.__getitem__, name))
+            return
+        group.create_array(
             name,
             shape=[lengths[dim] for dim in dims],
             chunks=[cut[dim] for dim in dims],
             dtype=kind,
             fill_value=fill,
+            compressors=ZstdCodec(level=0, checksum=True),
             dimension_names=dims,
             attributes=attributes,
         )
