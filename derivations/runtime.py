@@ -184,7 +184,7 @@ def stated(
         mirrored=_mirrored(pieces[0][0]),
     )
     if not closed:
-        check(quadrature(mechanism), name)
+        check(quadrature(mechanism), name, furthest)
     return mechanism
 
 
@@ -312,8 +312,8 @@ def _check_ends(name: str, ends: Sequence[sp.Expr]) -> None:
             )
 
 
-def check(average: Quadrature, name: str) -> None:
-    """That a force can be summed: made of known functions, and smooth where its pieces meet.
+def check(average: Quadrature, name: str, reach: sp.Expr) -> None:
+    """That a force can be summed: made of known functions, real up to the reach, and smooth where its pieces meet.
 
     Raises ArithmeticError with the reason.
     """
@@ -338,6 +338,11 @@ def check(average: Quadrature, name: str) -> None:
             value = sp.simplify(piece.subs(u, end)) if end != 0 or number > 1 else average.at_rest
             if value.is_infinite or value is sp.nan or value.has(sp.zoo, sp.oo):
                 raise NotSettled(f"{name}: piece {number} is infinite at |u| = {given_by.in_text(end)}")
+        begin, end = (*ends, reach)[number - 1 : number + 1]
+        inside = begin + 1 if end.is_infinite else (begin + end) / 2
+        for at in (begin, inside, end):
+            if at.is_finite is not False and piece.subs(u, at).is_extended_real is False:
+                raise NotSettled(f"{name}: piece {number} is not real at |u| = {given_by.in_text(at)}")
     try:
         contacts = average.contacts
     except ArithmeticError as error:

@@ -424,6 +424,9 @@ def test_a_folder_that_is_made_is_for_the_user_alone(tmp_path):
         ({"pieces": []}, ValueError, "at least one"),
         ({"pieces": [(sp.Max(u, k_1), None)]}, ArithmeticError, "piece 1 contains Max, .* needs a piece of its own"),
         ({"pieces": [(k_1 / u, None)]}, ArithmeticError, "piece 1 is infinite at .u. = 0"),
+        ({"pieces": [(sp.log(u - 1), None)], "reach": 2}, ArithmeticError, "piece 1 is not real at .u. = 0"),
+        ({"pieces": [(u, 1), (u + sp.sqrt(-u), None)]}, ArithmeticError, "piece 2 is not real at .u. = 1"),
+        ({"pieces": [(u + sp.sqrt(1 - u) - 1, None)], "reach": 2}, ArithmeticError, "piece 1 is not real at .u. = 2"),
         ({"pieces": [(u, gap), (u, gap - k_1), (u, None)]}, ArithmeticError, "piece 2 ends at .* not above gap"),
         ({"pieces": [(u, sp.sqrt(-gap)), (u, None)]}, ArithmeticError, "which is not above 0"),
         *(
