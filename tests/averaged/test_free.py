@@ -173,6 +173,23 @@ def test_slow_motions_beyond_the_cut_count_for_isolation(yielding, zeta, F, leve
     assert A > 100 * F or zeta == 0.1 or level_dB == -3.0
 
 
+@pytest.mark.parametrize("level_dB", [-1.0, -10.0])
+@pytest.mark.parametrize("damping", [{"mu": 0.03, "zeta": 0.1}, {"mu": 0.0, "zeta": 0.1}, {"mu": 0.01, "c_2": 0.2}])
+@pytest.mark.parametrize("gap", [None, 10.0])
+def test_damping_alone_transmits_a_moving_base(gap, damping, level_dB):
+    """Without a spring force A Omega^2 and I balance F_0 Omega^2, of which I is transmitted."""
+    of, design = Duffing, {"alpha": 0.0, "beta": 0.0}
+    if gap is not None:
+        of, design = derive.library("dead_zone"), {"delta": gap}
+    design = {**design, "zeta": 0.0, "excitation": "base", **damping}
+    found, many = of(**design).isolation(0.05, level_dB), of.many(**design).isolation(0.05, level_dB=level_dB)
+    speed, kappa = found.A * found.Omega, 10 ** (level_dB / 20)
+    I = 4 / math.pi * damping["mu"] + 2 * design["zeta"] * speed + 8 / (3 * math.pi) * damping.get("c_2", 0) * speed**2
+    assert I / (0.05 * found.Omega**2) == pytest.approx(kappa, rel=1e-12)
+    assert found.A / 0.05 == pytest.approx(math.sqrt(1 - kappa**2), rel=1e-12)
+    assert (many.Omega, many.A, many.status) == (found.Omega, found.A, 0)
+
+
 def test_curves_beyond_it_are_drawn_in_a_window_and_cut(yielding):
     mount = yielding(k=K, g=G, mu=0.0, **DAMPED)
     curve = mount.frequency_response(0.2, Omega=(0.3, 1.5), samples=100)

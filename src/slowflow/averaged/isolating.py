@@ -107,7 +107,8 @@ def isolated_each(
     at_fold = end > last
     last, last_A = np.where(at_fold, end, last), np.where(at_fold, end_A, last_A)
     found = at_fold, np.maximum(last, 0.0), np.where(last > 0, last_A, np.nan)
-    return above[:, 0], *_from_rest_on(rests_up_to(flow, F_0)[:, 0], *found)
+    below = above[:, 0] | _is_free(flow, flow.averaged(grid[:, :1])[0], level)[:, 0]
+    return below, *_from_rest_on(rests_up_to(flow, F_0)[:, 0], *found)
 
 
 def _last(n: int, rows: Ints, Omega: Floats, *others: Floats) -> tuple[Floats, ...]:
@@ -196,10 +197,23 @@ def up_to(of: Any, A: Floats, F_0: Any, level: Level, h: Any = None) -> Floats:
 
     h -- by default that of motions about the centre
     """
-    kernel = inertia.isolation if of.inertial else slow_flow.isolation
+    kernel, h = inertia.isolation if of.inertial else slow_flow.isolation, of.averaged(A)[0] if h is None else h
     with np.errstate(all="ignore"):
-        Omega = kernel(A, F_0, level.reduction, of.averaged(A)[0] if h is None else h)
+        Omega = kernel(A, F_0, level.reduction, h)
+        if of.inertial:
+            Omega = np.where(_is_free(of, h, level), _free_up_to(of, A, F_0, level), Omega)
     return np.where(Omega > 0, Omega, -math.inf)
+
+
+def _is_free(of: Any, h: Any, level: Level) -> Flags:
+    """Where an excitation by inertia drives motions without a spring force, which transmit some of it by damping."""
+    return np.asarray((h == 0) & (level.dB != 0) & of.inertial)
+
+
+def _free_up_to(of: Any, A: Floats, F_0: Any, level: Level) -> Floats:
+    """`up_to` of these: I = kappa F_0 Omega^2, a quadratic in Omega. At F_0 they have A = sqrt(1 - kappa^2) F_0."""
+    m, damping, rises = of.at_rest(A)[0], of.viscous(A)[0] * A, level.ratio * F_0 - of.d * A**2
+    return np.asarray((damping + np.hypot(damping, np.sqrt(m * rises))) / rises)
 
 
 def _excess(of: Any, A: Floats, F_0: Any, level: Level) -> Floats:
@@ -211,7 +225,8 @@ def _excess(of: Any, A: Floats, F_0: Any, level: Level) -> Floats:
         found = np.asarray(of.level(Omega, A) - F_0)
         if np.any(level.dB):
             found = np.where(level.dB, of.transmissibility(Omega, A, F_0, h) - level.ratio, found)
-    return found
+    # any amplitude has such a frequency without a spring force, one of them at F_0
+    return np.where(_is_free(of, h, level), _lowest(of, F_0, level) - A, found)
 
 
 def _lowest(of: Any, F_0: Any, level: Level) -> Any:
