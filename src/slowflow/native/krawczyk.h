@@ -62,14 +62,15 @@ static void sf_krawczyk(int d, const double *at, const double *wide, const sf_va
         for (j = 0; j < d; j++) {
             /* some multiplications of doubles, each a rounding */
             double product = 0, size = i == j, spread = 0;
-            const double value = 0.5 * (of->at[j].lo + of->at[j].hi);
+            const double value = 0.5 * (of->at[j].lo + of->at[j].hi),
+                         most = fmax(fabs(of->at[j].lo), fabs(of->at[j].hi));
             for (int k = 0; k < d; k++) {
                 product += Y[i][k] * J[k][j], size += fabs(Y[i][k] * J[k][j]);
                 spread += fabs(Y[i][k]) * 0.5 * (of->slope[k][j].hi - of->slope[k][j].lo);
             }
             shift += Y[i][j] * value, error += fabs(Y[i][j]) * 0.5 * (of->at[j].hi - of->at[j].lo);
             reach += (fabs((i == j) - product) + spread + 0x1p-49 * (size + spread)) * wide[j];
-            reach += 0x1p-49 * fabs(Y[i][j] * value);
+            reach += 0x1p-49 * fabs(Y[i][j]) * most;
         }
         centre[i] = at[i] - shift, floor_[i] = known ? error : HUGE_VAL;
         radius[i] = known && !isnan(reach + error) ? reach + error : HUGE_VAL;
