@@ -197,8 +197,9 @@ def up_to(of: Any, A: Floats, F_0: Any, level: Level, h: Any = None) -> Floats:
 
     h -- by default that of motions about the centre
     """
-    kernel, h = inertia.isolation if of.inertial else slow_flow.isolation, of.averaged(A)[0] if h is None else h
+    kernel = inertia.isolation if of.inertial else slow_flow.isolation
     with np.errstate(all="ignore"):
+        h = of.averaged(A)[0] if h is None else h
         Omega = kernel(A, F_0, level.reduction, h)
         if of.inertial:
             Omega = np.where(_is_free(of, h, level), _free_up_to(of, A, F_0, level), Omega)
