@@ -86,7 +86,7 @@ class Kernel(Called):
     looped     -- whether Python may have it as a compiled loop over arrays of floats: asked once an answer, it need not
     in_c       -- whether anything in C calls it, where a module is in C at all
     in_python  -- whether Python has its text; what no Python code calls it has from C
-    arithmetics -- the numbers that it is wanted on, of `ARITHMETICS`
+    arithmetics -- the kinds of numbers that it is printed for, of `ARITHMETICS`
     to_pairs   -- of one in double-double: the lets that are wanted so, what is left to do being done in doubles; all
                   of it where there are none
     """

@@ -189,7 +189,7 @@ class Oscillator:
 
     #: whether friction acts on the attached piece only
     ends_at_u_cr = False
-    #: the power of Omega beside F_0^2
+    #: the power of Omega next to F_0^2
     driven_by = 0
 
     def __init__(self, **parameters: Number | fmpq) -> None:

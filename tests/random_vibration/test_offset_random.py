@@ -238,7 +238,7 @@ def test_smallest_motions_are_those_about_the_equilibrium(S_0):
     near = 10 * (rms / rest) ** 2 + 1e-15 * rest / rms
     assert found.u_rms == pytest.approx([rms], rel=near)
     assert found.B == pytest.approx([rest], rel=near)
-    with pytest.raises(ArithmeticError, match="too small beside its mean"):
+    with pytest.raises(ArithmeticError, match="too small compared with its mean"):
         one.random(S_0=1e-12 * S_0)
     assert one.many(alpha=1.0, beta=1.0, mu=0.0, zeta=0.05, load=0.3).random(S_0=[S_0, 1e-12 * S_0]).count.tolist() == [
         1,

@@ -16,7 +16,7 @@ from ..form import GENERAL, Module
 from ..requests import requested
 
 #: what is taken from a scene where some damping vanishes: there the general form divides by what is 0, has more
-#: coefficients, or a sum for a product. Everything else holds there as it stands
+#: coefficients, or a sum for a product. Everything else holds there unchanged
 OWN = {
     "mu0": ("response_quartic", "detachment", "isola", "fold", "F_Omega_reduced"),
     "zeta0": (

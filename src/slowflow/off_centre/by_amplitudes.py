@@ -3,8 +3,8 @@
 Where the force rises with u so does its mean with B: at each amplitude one mean is balanced, and h is a function of A
 alone, as it is about the centre. It is taken for a cubic between amplitudes next to each other by a fixed ratio; where
 F changes its sign, and at folds the forcing less the one that is asked for, Newton's method begins with all unknowns.
-Where F turns next to 0, as just beside a fold, both states begin from there. Two folds whose amplitudes differ by less
-than a `FINE` part of that ratio may be missed, as may two states beside a fold on a corner that differ by 1e-7, and
+Where F turns next to 0, as close to a fold, both states begin from there. Two folds whose amplitudes differ by less
+than a `FINE` part of that ratio may be missed, as may two states close to a fold on a corner that differ by 1e-7, and
 that the force rises is looked at in `SAMPLES` positions of each piece, not proved; `complete` proves all.
 """
 
@@ -26,13 +26,13 @@ from slowflow_kernels.conventions import FoldKind
 
 #: octaves of amplitudes, at how many in each the mean is balanced, and how often F is looked at between two of these
 OCTAVES, NODES, FINE = 16, 4, 16
-#: how far motions pass a jump of the force, beside A, where the mean is balanced too
+#: how far motions pass a jump of the force, relative to A, where the mean is balanced too
 PAST = np.append(0.0, 2.0 ** -np.arange(4.0, 28.0, 2.0))
 #: samples of a force in each piece, and on each side of 0 in so many octaves
 SAMPLES, SMALLEST = 128, 24
 #: by how much the last step moves an amplitude, or a mean, at most; steps of Newton's method, and of one with ends
 NEAR, STEPS, MOST_STEPS = 1e-8, 6, 100
-#: steps of Newton's method to where F turns, and how near to that, beside A, states may lie between samples
+#: steps of Newton's method to where F turns, and how near to that, relative to A, states may lie between samples
 TURNING_STEPS, CLOSE = 3, 2.0**-6
 
 #: of several conditions, which one each answer is of, and their columns
@@ -171,7 +171,7 @@ def _balanced(steps: Steps, A: Floats, bound: float) -> Floats:
 
 
 def _pairs(steps: Steps, flow: Flow, Omega: Floats, force: Floats, x: Floats) -> tuple[Flags, Floats]:
-    """Where two states are close beside an amplitude at which F turns, from A and B next to that; A and B of these."""
+    """Where two states are close to an amplitude at which F turns, from A and B next to that; A and B of these."""
     A, B = x
     with np.errstate(all="ignore"):
         for _ in range(TURNING_STEPS):

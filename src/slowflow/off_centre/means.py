@@ -39,7 +39,7 @@ UNBOUNDED = "the outermost piece of the force does not grow: offset motions are 
 ORDERS = 3
 #: most steps of Newton's method; relative to A, the length of its last step, and of one that shows that it converges
 STEPS, SETTLED, BALANCED = 8, 2.0**-48, 2.0**-30
-#: how near to a step, beside A + |B|, a motion reaches it but does not pass it
+#: how near to a step, relative to A + |B|, a motion reaches it but does not pass it
 REACHED = 2.0**-40
 #: places at which a piece is looked at to bound it
 GRID = 64

@@ -71,7 +71,7 @@ class Design:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """The numbers that answers depend on, beside arguments of the query."""
+        """The numbers that answers depend on, besides arguments of the query."""
         return (*self.model.mechanism.design_names, *self.damping, "load")
 
     @property

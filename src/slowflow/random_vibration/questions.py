@@ -35,14 +35,14 @@ NUMBERS = 8
 #: up to these shares in the damping sigma_u and sigma_v were within 5 % of records of the motion: of friction
 #: throughout about the centre and about a mean, of friction that ends, of c_2, c_3 and zeta_2 (docs/validity.md)
 MOST_DRY, MOST_DRY_ABOUT, MOST_ATTACHED, MOST_NONLINEAR = 0.8, 0.6, 0.5, 0.5
-#: of an equation of motion beside its spring
+#: of an equation of motion besides its spring
 NUMBERS_OF_MOTION = *LAWS, "released", "load"
 STUCK = "friction holds the mass nearly all of the time: no linear damping is equivalent to it"
 NOT_PUSHED_BACK = (
     "random vibration about a mean needs a spring force that exceeds the load far from the centre, on both sides"
 )
 TOO_SMALL = (
-    "the motion is too small beside its mean for double precision: it is that of a linear oscillator about the "
+    "the motion is too small compared with its mean for double precision: it is that of a linear oscillator about the "
     "equilibrium, which rest() has"
 )
 GIVES_WAY = (
