@@ -7,10 +7,12 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from slowflow import derive
+from slowflow import Isolator, derive
 from slowflow.answers.results import Remark
-from slowflow.core.intervals import Interval
+from slowflow.example import TABLE_1
 from slowflow.off_centre.means import Steps
+from slowflow.off_centre.turning_points import Charts
+from tests.off_centre.test_off_centre import assert_boxes_hold
 
 u, k, g, q, d, p, z = sp.symbols("u k g q d p z")
 ABOVE = {"above": 0}
@@ -90,40 +92,29 @@ def test_means_are_those_of_exact_integrals(name, A, B):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("size", [1e-6, 1e-3, 0.05, 0.5])
-def test_boxes_hold_all_that_motions_within_them_have(patched, size):
-    """Means and their slopes by the ends of the motion, at random motions in random boxes of each chart."""
-    oscillator, rng = patched(p=0.1, q=0.7, **DAMPED), np.random.default_rng(1)
-    steps = Steps(oscillator.model.mechanism, oscillator.model.parameters, 0.0)
-    top, depth = rng.uniform(-0.6, 1.2, 40), rng.uniform(0.0, 1.5, 40)
-    high, low = Interval.of(top, top + size), Interval.of(top - depth - size, top - depth)
-    box = steps.curved.by_ends(high, low)
-    for _ in range(20):
-        fractions = rng.uniform(0, 1, (2, 40))
-        ends = high.lo + fractions[0] * size, low.lo + fractions[1] * size
-        A, B = 0.5 * (ends[0] - ends[1]), 0.5 * (ends[0] + ends[1])
-        (c_0, c_1, c_2, c_3), (s_0, s_1, s_2, _) = steps.curved.at(A, B, 3)
-        turned = s_1 / A
-        values = c_0, s_0, c_1 + s_1, c_1 - s_1, 2 * (c_2 + s_2) - turned, 2 * (c_2 - s_2) - turned, c_3, s_2
-        for value, one in zip(values, box, strict=True):
-            doubt = 1e-15 + 1e-12 * np.abs(value)
-            assert (one.lo <= value + doubt).all() and (value - doubt <= one.hi).all()
+def test_boxes_hold_all_that_motions_within_them_have(patched):
+    """Also of an odd force, whose pieces on the left are those on the right turned."""
+    forces = patched(p=0.1, q=0.7, **DAMPED), Isolator(**TABLE_1, force="untruncated", load=0.05)
+    for model in (one.model for one in forces):
+        assert_boxes_hold(Steps(model.mechanism, model.parameters, 0.0), np.random.default_rng(1), 200)
 
 
 @pytest.mark.slow
 def test_what_boxes_add_goes_with_the_square_of_their_size(patched):
     oscillator = patched(p=0.1, q=0.7, **DAMPED)
-    steps = Steps(oscillator.model.mechanism, oscillator.model.parameters, 0.0)
+    charts = Charts(Steps(oscillator.model.mechanism, oscillator.model.parameters, 0.0))
+    (chart,) = np.flatnonzero((charts.upper == 3) & (charts.lower == 0))
 
     def beyond(size: float) -> float:
-        """Excess width of the mean's enclosure over its change across the box; its slopes are positive."""
-        high, low = (np.array([[at], [at + size]]) for at in (0.6, -0.7))
-        c_0 = steps.curved.by_ends(Interval(high), Interval(low)).c_0
-        A, B = 0.5 * (high - low).ravel(), 0.5 * (high + low).ravel()
-        change = float(np.diff(steps.curved.at(A, B, 0)[0][0])[0])
-        return float((c_0.hi - c_0.lo)[0]) - change
+        """Excess width of the mean's enclosure over its change across the box; its slopes by both ends are positive."""
+        top, bottom = np.array([0.6, 0.6 + size]), np.array([-0.7, -0.7 + size])
+        past = np.stack((top, -bottom[::-1])) + [[-1.0], [1.0]] * charts.place[:, [chart]]
+        low, high = np.where(charts.rooted[:, [chart]], np.sqrt(past), past).T[..., np.newaxis]
+        c_0 = charts.on(low, high, np.array([chart]))[0].c_0
+        change = np.diff(charts.steps.at(0.5 * (top - bottom), 0.5 * (top + bottom), 0).c[0])
+        return float((c_0.hi - c_0.lo - change)[0])
 
-    assert 0 < beyond(1e-3) < 0.02 * beyond(1e-2) < 1e-7
+    assert 0 < beyond(1e-3) < 0.02 * beyond(1e-2) < 1e-5
 
 
 @pytest.mark.slow

@@ -160,45 +160,49 @@ def test_cells_cut_in_blocks_are_those_cut_together(loaded, monkeypatch):
     assert 20 < few.chart.size <= 20 + 16 < together.chart.size
 
 
+def assert_boxes_hold(steps, rng, n=400):
+    """In every chart, up to its edges, where c_1 has no bound: the slopes by x and y have."""
+    charts = Charts(steps)
+    for number in range(charts.passes.size):
+        chart, rooted = np.full(n, number), charts.rooted[:, number]
+        least, most = np.maximum(charts.low[:, number], -1.5), np.minimum(charts.high[:, number], 1.5)
+        low = least[:, np.newaxis] + (most - least)[:, np.newaxis] * rng.uniform(0, 1, (2, n)) ** 2
+        high = np.minimum(low + 10 ** rng.uniform(-8, -0.5, n), most[:, np.newaxis])
+        boxes = charts.on(low, high, chart)[0]
+        if charts.upper[number] - charts.lower[number] > 1:
+            assert all(np.isfinite(getattr(boxes, name).ends).all() for name in ("c_0", "s_0", "c_x", "c_y"))
+        for fraction in (0.25, 0.5, 0.8):
+            x, y = low[0] + fraction * (high[0] - low[0]), low[1] + (1 - fraction) * (high[1] - low[1])
+            A, B = charts.motion(x, y, chart)
+            means = steps.at(A, B, 3)
+            X, Y = np.where(rooted[0], x, 0.5), np.where(rooted[1], y, 0.5)
+            P_1, Q_1, P_2, Q_2 = (means.c[k] + sign * means.s[k] for k in (1, 2) for sign in (1, -1))
+            values = {
+                "A": A,
+                "B": B,
+                "c_0": means.c[0],
+                "s_0": means.s[0],
+                "c_x": X * P_1,
+                "c_y": -Y * Q_1,
+                "c_xx": rooted[0] * P_1 + X * X * (2 * P_2 - means.s[1] / A),
+                "c_yy": Y * Y * (2 * Q_2 - means.s[1] / A) - rooted[1] * Q_1,
+                "c_3": means.c[3],
+                "s_2": means.s[2],
+            }
+            # nearer to an edge A and B do not tell how far a step is passed
+            inner = np.minimum(x - least[0], y - least[1]) > (1e-2 if charts.passes[number] else 1e-6)
+            compared = (A > 1e-6) & inner & (np.minimum(most[0] - x, most[1] - y) > 1e-6)
+            for name, value in values.items():
+                ends = getattr(boxes, name).ends
+                doubt = (1e-13 if name in ("A", "B", "c_0", "s_0") else 1e-7) * (1 + np.abs(value))
+                assert ((ends[0] <= value + doubt) & (value - doubt <= ends[1]))[compared].all(), (number, name)
+
+
 @pytest.mark.slow
 def test_boxes_by_ends_enclose_means_and_slopes():
-    """In every chart, up to its edges, where c_1 has no bound: the slopes by x and y have."""
-    rng, n = np.random.default_rng(5), 400
+    rng = np.random.default_rng(5)
     for steps in ended_forces():
-        charts = Charts(steps)
-        for number in range(charts.passes.size):
-            chart, rooted = np.full(n, number), charts.rooted[:, number]
-            least, most = np.maximum(charts.low[:, number], -1.5), np.minimum(charts.high[:, number], 1.5)
-            low = least[:, np.newaxis] + (most - least)[:, np.newaxis] * rng.uniform(0, 1, (2, n)) ** 2
-            high = np.minimum(low + 10 ** rng.uniform(-8, -0.5, n), most[:, np.newaxis])
-            boxes = charts.on(low, high, chart)[0]
-            if charts.upper[number] - charts.lower[number] > 1:
-                assert all(np.isfinite(getattr(boxes, name).ends).all() for name in ("c_0", "s_0", "c_x", "c_y"))
-            for fraction in (0.25, 0.5, 0.8):
-                x, y = low[0] + fraction * (high[0] - low[0]), low[1] + (1 - fraction) * (high[1] - low[1])
-                A, B = charts.motion(x, y, chart)
-                means = steps.at(A, B, 3)
-                X, Y = np.where(rooted[0], x, 0.5), np.where(rooted[1], y, 0.5)
-                P_1, Q_1, P_2, Q_2 = (means.c[k] + sign * means.s[k] for k in (1, 2) for sign in (1, -1))
-                values = {
-                    "A": A,
-                    "B": B,
-                    "c_0": means.c[0],
-                    "s_0": means.s[0],
-                    "c_x": X * P_1,
-                    "c_y": -Y * Q_1,
-                    "c_xx": rooted[0] * P_1 + X * X * (2 * P_2 - means.s[1] / A),
-                    "c_yy": Y * Y * (2 * Q_2 - means.s[1] / A) - rooted[1] * Q_1,
-                    "c_3": means.c[3],
-                    "s_2": means.s[2],
-                }
-                # nearer to an edge A and B do not tell how far a step is passed
-                inner = np.minimum(x - least[0], y - least[1]) > (1e-2 if charts.passes[number] else 1e-6)
-                compared = (A > 1e-6) & inner & (np.minimum(most[0] - x, most[1] - y) > 1e-6)
-                for name, value in values.items():
-                    ends = getattr(boxes, name).ends
-                    doubt = (1e-13 if name in ("A", "B", "c_0", "s_0") else 1e-7) * (1 + np.abs(value))
-                    assert ((ends[0] <= value + doubt) & (value - doubt <= ends[1]))[compared].all(), (number, name)
+        assert_boxes_hold(steps, rng)
 
 
 @pytest.mark.slow

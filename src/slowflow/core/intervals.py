@@ -52,6 +52,11 @@ class Interval:
         return cls(np.array((x, x), dtype=float).reshape(2, -1))
 
     @classmethod
+    def around(cls, x: float) -> Interval:
+        """A number that no double is equal to, for any number of elements."""
+        return cls.of([x - abs(x) * 2.0**-52], [x + abs(x) * 2.0**-52])
+
+    @classmethod
     def like(cls, value: Any, other: Interval) -> Interval:
         """An interval or a number, for as many elements as another has."""
         ends = value.ends if isinstance(value, Interval) else cls.point(float(value)).ends

@@ -60,12 +60,6 @@ enum { SF_BOXES_SOLVED, SF_BOXES_TOO_MANY, SF_BOXES_NO_ROOM, SF_BOXES_NOT_EVALUA
 
 static inline double sf_box_size(double x) { return fmax(fabs(x), 1); }
 
-/* The largest absolute value; NaN where an end is. */
-static inline double sf_magnitude(sf_interval a) {
-    const double low = fabs(a.lo), high = fabs(a.hi);
-    return low >= high ? low : high >= low ? high : NAN;
-}
-
 /* Between which ends an equation by itself has its zeros in an unknown, from what the others move it by. */
 static sf_interval sf_by_one(sf_interval value, sf_interval slope, double others, double at) {
     const double ends[2] = {others - value.lo, -others - value.hi}, slopes[2] = {slope.lo, slope.hi};

@@ -142,3 +142,9 @@ static inline sf_interval sfi_join(sf_interval a, sf_interval b) {
 static inline int sfi_positive(sf_interval a) { return a.lo > 0; }
 static inline int sfi_negative(sf_interval a) { return a.hi < 0; }
 static inline int sfi_has_sign(sf_interval a) { return a.lo > 0 || a.hi < 0; }
+
+/* The largest absolute value; NaN where an end is. */
+static inline double sf_magnitude(sf_interval a) {
+    const double low = fabs(a.lo), high = fabs(a.hi);
+    return low >= high ? low : high >= low ? high : NAN;
+}

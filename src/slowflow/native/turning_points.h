@@ -214,8 +214,8 @@ typedef struct {
 
 /* What gains D_0 pi of f and D_1 pi of f' share in c_x and c_xx where a motion passes them, or in -c_y and -c_yy.
  * c_1 + s_1 has D_0 root_y/(root_x A), and c_1 - s_1 the inverse of that ratio; c_2 +- s_2 the same of D_1. */
-static void sf_share(const sf_near *own, const sf_near *other, sf_interval A, double D_0, double D_1, double sign,
-                     sf_interval *fraction, sf_interval *slope) {
+static void sf_share_of_step(const sf_near *own, const sf_near *other, sf_interval A, double D_0, double D_1,
+                             double sign, sf_interval *fraction, sf_interval *slope) {
     const int is_own = own->rooted && own->far == 0;
     const sf_interval X = own->X, far = sfi_point(own->rooted ? own->far : -0.25);
     sf_interval ratio = sfi_point(1), turn = sfi_point(0);
@@ -334,6 +334,12 @@ static int sf_middle_piece(const sf_charts *of, sf_interval top, sf_interval bot
     return piece > (int)of->upper[chart] ? (int)of->upper[chart] : piece;
 }
 
+/* Where motions pass no step, x = B + A and y = A - B: the part with A >= 0. */
+static inline void sf_above_diagonal(sf_interval *x, sf_interval *y) {
+    const double x_lo = sfi_least(sfi_most(x->lo, -y->hi), x->hi);
+    y->lo = sfi_least(sfi_most(y->lo, -x->hi), y->hi), x->lo = x_lo;
+}
+
 /* By the values at corners alone. */
 static void sf_on_all(const sf_charts *of, sf_interval x, sf_interval y, int chart, sf_ended *out) {
     const int lower = (int)of->lower[chart], upper = (int)of->upper[chart], highest = of->highest;
@@ -343,10 +349,8 @@ static void sf_on_all(const sf_charts *of, sf_interval x, sf_interval y, int cha
     sf_interval fraction[4] = {{0, 0}, {0, 0}, {0, 0}, {0, 0}};
     sf_weighted sums[SF_SUMS] = {{0, 0, 0}};
     sf_interval c_3 = {0, 0}, s_2 = {0, 0};
-    if (lower == upper) {
-        const double x_lo = sfi_least(sfi_most(x.lo, -y.hi), x.hi);
-        y.lo = sfi_least(sfi_most(y.lo, -x.hi), y.hi), x.lo = x_lo;
-    }
+    if (lower == upper)
+        sf_above_diagonal(&x, &y);
     const sf_interval past_x = root_x ? sfi_square(x) : x, past_y = root_y ? sfi_square(y) : y;
     const sf_interval top = sfi_add(past_x, sfi_point(place_x)), bottom = sfi_sub(sfi_point(place_y), past_y);
     out->A = sfi_times(0.5, sfi_add(sfi_add(past_x, past_y), sfi_sub(sfi_point(place_x), sfi_point(place_y))));
@@ -376,8 +380,8 @@ static void sf_on_all(const sf_charts *of, sf_interval x, sf_interval y, int cha
             const double D_0 = gain[0] / SFI_PI, D_1 = (highest > 0 ? gain[1] : 0) / SFI_PI;
             const sf_near at_x = {sfi_sqrt(over), out->X, beyond_x, root_x},
                           at_y = {sfi_sqrt(under), out->Y, beyond_y, root_y};
-            sf_share(&at_x, &at_y, out->A, D_0, D_1, 1, &fraction[0], &fraction[2]);
-            sf_share(&at_y, &at_x, out->A, D_0, D_1, -1, &fraction[1], &fraction[3]);
+            sf_share_of_step(&at_x, &at_y, out->A, D_0, D_1, 1, &fraction[0], &fraction[2]);
+            sf_share_of_step(&at_y, &at_x, out->A, D_0, D_1, -1, &fraction[1], &fraction[3]);
         }
     }
     for (int i = 0; i < 4; i++) /* the factor 1/pi is rounded */

@@ -18,7 +18,6 @@ import numpy as np
 
 from slowflow.core import validate
 from slowflow.core.backend import SOLVER
-from slowflow.core.intervals import Elementary
 from slowflow.core.mechanism import Flags, Mechanism
 from slowflow.core.model import Floats
 from slowflow.off_centre.curved import Curved, Part
@@ -271,7 +270,7 @@ class Steps:
                 gains, laws = np.concatenate((gains[::-1] * (1, -1), gains)), [*laws[:0:-1], *laws]
             lines = zip(laws, known.pieces, _lines(known.ends, gains), strict=True)
             moving = [Part(law, None, part.mirrored, (float(a), float(b))) for law, part, (a, b) in lines]
-            found.append(Curved(moving, known.ends, np.zeros(known.ends.size), known.walls))
+            found.append(Curved(moving, known.ends, np.zeros(known.ends.size), known.walls, ORDERS))
         return found
 
     def _weights(self) -> tuple[Floats, Floats]:
@@ -386,11 +385,11 @@ def _combined(kernels: Sequence[Any], slopes: Floats, parameters: tuple[float, .
         for kernel, slope in zip(kernels, slopes.tolist(), strict=True)
         if slope and kernel
     ]
-    return [sum(slope * values[n] for slope, values in terms) + 0 * u for n in range(ORDERS)]
+    return [sum(slope * values[n] for slope, values in terms) for n in range(ORDERS)]
 
 
-def _enclosed(kernel: Any, parameters: tuple[float, ...], u: Elementary) -> Any:
-    return kernel(Elementary.point, u, *map(Elementary.point, parameters))
+def _enclosed(kernel: Any, parameters: tuple[float, ...], make: Any, u: Any) -> Any:
+    return kernel(make.around, u, *map(make.point, parameters))
 
 
 def _root_bound(derivatives: Floats, load: float) -> float:

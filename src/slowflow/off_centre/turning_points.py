@@ -132,21 +132,11 @@ class Charts:
     def operands(self, low: Floats, high: Floats, chart: Ints, load: float | None = None) -> tuple[Any, ...]:
         """What compiled functions of boxes take first, (2, n) or more, within the limits of their charts.
 
-        load -- what <f> is, if not the load; NaN where it is not known. The last operand is the force's remainder,
-        without its steps, on the box and in its middle.
+        load -- what <f> is, if not the load; NaN where it is not known. The last operand is the force without its
+        steps, where that is no polynomial.
         """
-        rows: Floats = NOTHING
-        if (curved := self.steps.curved) is not None:
-            both, middle = np.append(chart, chart), 0.5 * (low + high)[:2]
-            least, most = (np.append(ends[:2], middle, axis=1) for ends in (low, high))
-            x, y = map(Interval, np.stack((above_diagonal(least, most, self.passes[both]), most), axis=1))
-            past_x, past_y = (
-                one.square().where(root, one) for one, root in zip((x, y), self.rooted[:, both], strict=True)
-            )
-            upper, lower = self.place[:, both]
-            found = curved.by_ends(past_x + upper, -past_y + lower)
-            rows = np.concatenate([one.ends for one in found]).reshape(16, 2, -1).T.reshape(-1, 32)
-        return self._packed, low.T, high.T, chart, self.steps.load if load is None else load, rows
+        rest = NOTHING if (curved := self.steps.curved) is None else curved.packed
+        return self._packed, low.T, high.T, chart, self.steps.load if load is None else load, rest
 
     def on(self, low: Floats, high: Floats, chart: Ints) -> tuple[Local, Local]:
         """On boxes within the limits of their charts, (2, n), and in their middles."""

@@ -4,6 +4,7 @@
 
 #include "balance.h"
 #include "boxes.h"
+#include "curved.h"
 
 #include "solver.h"
 
@@ -53,21 +54,6 @@ void sf_step_means_loop(char **operands, const ptrdiff_t *dimensions, const ptrd
     }
 }
 
-/* On a box the remainder of a force that is no polynomial, without its steps: c_0, s_0, c_1 +- s_1, moments of r'' with
- * (1 +- cos psi)^2, c_3 and s_2 (slowflow/off_centre/curved.py). */
-typedef struct {
-    sf_interval c_0, s_0, P_1, Q_1, P_P, Q_Q, c_3, s_2;
-} sf_remainder;
-
-static void add_remainder(const sf_remainder *of, sf_ended *out) {
-    const sf_interval X_X = sfi_square(out->X), Y_Y = sfi_square(out->Y);
-    out->c_0 = sfi_add(out->c_0, of->c_0), out->s_0 = sfi_add(out->s_0, of->s_0);
-    out->c_x = sfi_add(out->c_x, sfi_mul(out->X, of->P_1)), out->c_y = sfi_sub(out->c_y, sfi_mul(out->Y, of->Q_1));
-    out->c_xx = sfi_add(out->c_xx, sfi_add(sfi_mul(out->X_x, of->P_1), sfi_mul(X_X, of->P_P)));
-    out->c_yy = sfi_add(out->c_yy, sfi_sub(sfi_mul(Y_Y, of->Q_Q), sfi_mul(out->Y_y, of->Q_1)));
-    out->c_3 = sfi_add(out->c_3, of->c_3), out->s_2 = sfi_add(out->s_2, of->s_2);
-}
-
 /* Numbers of an operand of size n, one after the other. */
 static const double *numbers_of(const char *at, ptrdiff_t step, ptrdiff_t n, double *out) {
     for (ptrdiff_t k = 0; k < n; k++, at += step)
@@ -83,14 +69,15 @@ typedef struct {
 
 enum { SF_OF_BOX = 6, SF_OF_SYSTEM = sizeof(sf_values) / sizeof(double), SF_MOST_OUT = 4 * SF_OF_MOTION };
 
-/* A function of boxes, for each: charts, low, high, chart, load, the remainder of the force or nothing, then numbers
- * of these sizes, 0 behind the last -> so many numbers. Where there are no such charts any number is allowed, so
- * that nothing is taken to be absent there. */
+/* A function of boxes, for each: charts, low, high, chart, load, what else the force has or nothing, then numbers of
+ * these sizes, 0 behind the last -> so many numbers. Where there are no such charts any number is allowed, so that
+ * nothing is taken to be absent there. */
 static void by_boxes(void (*call)(const sf_on_box *in, double *out), const int *sizes, int outputs, char **operands,
                      const ptrdiff_t *dimensions, const ptrdiff_t *steps) {
     const double *known = NULL;
     const ptrdiff_t d = dimensions[2], size = dimensions[3];
     sf_charts charts = {0};
+    sf_curved curved = {0};
     int all = SF_OF_BOX, is_known = 0;
     while (sizes[all - SF_OF_BOX] > 0)
         all++;
@@ -99,10 +86,13 @@ static void by_boxes(void (*call)(const sf_on_box *in, double *out), const int *
         const double chart = IN(3), load = IN(4);
         const ptrdiff_t *core = steps + all + 1;
         double out[SF_MOST_OUT], *more;
-        sf_remainder curved[2]; /* on the box, and in its middle */
         sf_on_box in = {0};
         if (packed != known) {
             is_known = core[0] == (ptrdiff_t)sizeof *packed && sf_read_charts(packed, dimensions[1], &charts);
+            sf_leave_curved(&curved);
+            if (size > 0)
+                is_known = is_known && core[3] == (ptrdiff_t)sizeof *packed &&
+                           sf_read_curved((const double *)(const void *)operands[5], size, &curved);
             known = packed;
         }
         numbers_of(operands[1] + i * steps[1], core[1], d, in.low);
@@ -114,10 +104,8 @@ static void by_boxes(void (*call)(const sf_on_box *in, double *out), const int *
         if (is_known && chart >= 0 && chart < charts.charts) {
             const double at[2] = {0.5 * (in.low[0] + in.high[0]), 0.5 * (in.low[1] + in.high[1])};
             sf_on_ends(&charts, in.low, at, in.high, (int)chart, size ? NAN : load, &in.here, &in.middle);
-            if (size * (ptrdiff_t)sizeof(double) == (ptrdiff_t)sizeof curved) {
-                numbers_of(operands[5] + i * steps[5], steps[all + 4], size, (double *)curved);
-                add_remainder(&curved[0], &in.here), add_remainder(&curved[1], &in.middle);
-            }
+            if (size > 0)
+                sf_add_curved(&curved, &charts, (int)chart, in.low, at, in.high, &in.here, &in.middle);
         } else
             for (int k = 0; k < 4 * SF_OF_MOTION; k++)
                 ((double *)&in)[k] = k % 2 ? HUGE_VAL : -HUGE_VAL;
@@ -125,7 +113,28 @@ static void by_boxes(void (*call)(const sf_on_box *in, double *out), const int *
         for (int k = 0; k < outputs; k++)
             *(double *)(void *)(operands[all] + i * steps[all] + k * *core) = out[k];
     }
+    sf_leave_curved(&curved);
 }
+
+/* a force without its steps, A, B, orders -> c_n and s_n, NaN for others */
+void sf_curved_means_loop(char **operands, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data) {
+    const double *packed = (const double *)(const void *)operands[0];
+    sf_curved of = {0};
+    const int is_known = steps[5] == (ptrdiff_t)sizeof *packed && sf_read_curved(packed, dimensions[1], &of);
+    (void)data;
+    for (ptrdiff_t i = 0; i < dimensions[0]; i++) {
+        const int orders = (int)IN(3);
+        double found[2 * SF_CURVED_ORDERS];
+        for (int k = 0; k < 2 * SF_CURVED_ORDERS; k++)
+            found[k] = NAN;
+        if (is_known && orders >= 0 && orders < of.orders)
+            sf_curved_means(&of, IN(1), IN(2), orders, found, found + SF_CURVED_ORDERS);
+        for (int k = 0; k < 2 * SF_CURVED_ORDERS; k++)
+            *(double *)(void *)(operands[4] + i * steps[4] + k * steps[6]) = found[k];
+    }
+    sf_leave_curved(&of);
+}
+
 /* inputs or outputs of a row at most */
 enum { SF_MOST_OF_ROW = 40 };
 
