@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from slowflow.core.backend import SOLVER
-from slowflow.core.mechanism import Flags, Floats
+from slowflow.core.mechanism import Floats
 
 #: ends of an interval that holds all numbers
 ALL = np.array([[-np.inf], [np.inf]])
@@ -92,10 +92,6 @@ class Interval:
     def both(self, other: Interval) -> Interval:
         """What both hold, each being known to hold the value."""
         return type(self)(np.array((np.fmax(self.ends[0], other.ends[0]), np.fmin(self.ends[1], other.ends[1]))))
-
-    def where(self, condition: Flags, other: Interval) -> Interval:
-        """These where the condition holds, others elsewhere."""
-        return type(self)(np.where(condition, self.ends, other.ends))
 
     def take(self, which: Any) -> Interval:
         """Some of them."""

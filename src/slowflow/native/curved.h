@@ -419,7 +419,8 @@ static void sf_add_curved(const sf_curved *of, const sf_charts *charts, int char
     inside.s_0 = sf_both(whole.s_0, sf_near_middle(near.s_0, whole.by_top, whole.by_bottom, radius));
     inside.P_1 = sf_both(whole.P_1, sf_near_middle(near.P_1, whole.P_P, whole.P_Q, radius));
     inside.Q_1 = sf_both(whole.Q_1, sf_near_middle(near.Q_1, whole.P_Q, whole.Q_Q, radius));
-    if (!(sf_width(inside.P_1) <= 2 * sf_width(near.P_1) && sf_width(inside.Q_1) <= 2 * sf_width(near.Q_1)))
+    const double nearly[2] = {2 * sf_width(near.P_1), 2 * sf_width(near.Q_1)};
+    if (!(isfinite(nearly[0] + nearly[1]) && sf_width(inside.P_1) <= nearly[0] && sf_width(inside.Q_1) <= nearly[1]))
         sf_remainder_on(of, &near, ends, top_at, bottom_at, &inside);
     sf_add_remainder(&whole, here), sf_add_remainder(&inside, middle);
 }
