@@ -12,6 +12,7 @@ from slowflow.core.validate import NotAvailable
 from slowflow.example import TABLE_1
 from slowflow.off_centre.flow import Flow
 from slowflow.sizing import tolerances
+from slowflow.support.errors import NotSettled
 from slowflow_kernels.duffing import MECHANISM
 from tests.files import MOUNT
 from tests.oracles.by_time import mean_and_first
@@ -157,10 +158,23 @@ def test_an_onset_that_only_falls_as_motions_grow_is_none(zeta):
 def test_what_a_base_does_without_an_end_is_said():
     hard = Duffing(1.0, 1.0, zeta=0.03, load=0.2, excitation="base")
     assert "may not close" in hard.peak(0.1).message and hard.peak(0.1).A is None
-    with pytest.raises(NotAvailable, match="isolation is not available"):
+    with pytest.raises(NotSettled, match="isolation is unresolved"):
         hard.isolation(0.1)
     overdamped = Duffing(1.0, 0.0, zeta=0.9, load=0.2, excitation="base").peak(0.1)
     assert overdamped.A is None and "tends to 0.1 from below" in overdamped.message
+
+
+@pytest.mark.slow
+def test_margins_know_a_forcing_that_only_fast_motions_approach():
+    """An overdamped base: above it curves pass the breakpoint at high frequencies, below it at none."""
+    mount = Isolator(**TABLE_1 | {"zeta": 0.9}, excitation="base", load=0.05)
+    assert "tends to the first breakpoint" in mount.detachment().message
+    F_cr = mount.margins(0.05).F_cr
+    assert Isolator.many(**TABLE_1 | {"zeta": [0.9]}, excitation="base", load=0.05).margins(0.05).F_cr == F_cr
+    for ratio, passes in ((0.99, False), (1.01, True)):
+        curve = mount.frequency_response(ratio * F_cr, Omega=(0.0, 200.0))
+        assert (np.max(np.abs(curve.B) + curve.A) > mount.breakpoints[0]) == passes
+        assert mount.margins(ratio * F_cr).detaches == passes
 
 
 def test_what_is_not_answered_off_the_centre_is_refused_in_words():

@@ -264,13 +264,10 @@ def rests_within(laws: Sequence[Law], parameters: Sequence[Any], ends: Sequence[
 
 def margins(oscillator: Any, F_0: float) -> Margins:
     """See `ComposedQuestions.margins`; for an oscillator that answers them."""
-    oscillator._check_margins()
+    F_cr = oscillator._lowest_detaching()
     folds = oscillator.saddle_nodes(F_0)
     onset, detachment = oscillator.saddle_node_onset(), oscillator.detachment()
-    model, F_cr = oscillator.model, detachment.F_cr
-    if F_cr is None and model.inertial and oscillator.breakpoints:
-        # as no amplitude is lower at a higher frequency
-        F_cr = float(model.full_level(oscillator.breakpoints[0]))
+    model = oscillator.model
     # even if a mass at rest stays there, there may be motions that detach
     sticks = folds.F_0 <= oscillator.sticking_forcing
     detaches = not model.sticks(folds.F_0) and oscillator._detaches(folds.F_0)

@@ -17,8 +17,12 @@ if TYPE_CHECKING:
 class ComposedQuestions(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
     """Questions that combine the averaged answers about one oscillator, from any system."""
 
-    def _check_margins(self) -> None:
-        """Raises NotAvailable where it is not known which forcing detaches; of most systems it always is."""
+    def _lowest_detaching(self) -> float | None:
+        """F_cr, or under base excitation or unbalance the limit above which motions detach as Omega tends to inf."""
+        F_cr, model = self.detachment().F_cr, self._system.model
+        if F_cr is None and model.inertial and self._system.breakpoints:
+            return float(model.full_level(self._system.breakpoints[0]))
+        return F_cr
 
     def _composed(self, question: str, *arguments: Any) -> Any:
         """The answer of the function of that name in `checks`, which is imported on first use."""

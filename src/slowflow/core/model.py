@@ -572,4 +572,4 @@ class Loaded:
         # what copying and pickling ask for is asked before there are any numbers
         if name.startswith("_") or "load" not in self.__dict__:
             raise AttributeError(name)
-        raise validate.NoAttribute(CENTRED.format("this question", off_centre_by(self.unloaded.mechanism, self.load)))
+        raise validate.NoAttribute(CENTRED.format(name, off_centre_by(self.unloaded.mechanism, self.load)))

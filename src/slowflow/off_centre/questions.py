@@ -64,12 +64,12 @@ BY_ITSELF = Sentence(
     "{question:s} is not available with {what:s} for motions that leave the centre without a load: it takes "
     "excitation = 'force', {mu} and zeta there"
 )
-OPEN = Sentence("isolation is not available: motions beyond {A = :g} are not searched, and the response may not close")
+OPEN = Sentence("isolation is unresolved: motions beyond {A = :g} are not searched, and the response may not close")
 CUT = Sentence("no peak up to {A = :g}, the end of the search: the response may not close")
 TENDED_TO = Sentence(
     "the motion tends to the first breakpoint as {Omega} tends to inf, at {F_0 = :g}; below this it is not reached"
 )
-NO_MARGINS = "margins is not available here: "
+NO_MARGINS = "margins is unresolved: "
 BEYOND = "at rest the mass is already at the first breakpoint or beyond it"
 ONE_PIECE = "no detachment: the force has one piece only"
 NOT_REACHED = "no motion reaches the first breakpoint"
@@ -202,19 +202,27 @@ class OffCentre(Unchanging, ComposedQuestions):
             return self._no_detachment(ONE_PIECE)
         if self._rests_beyond():
             return self._no_detachment(BEYOND)
-        A, B = self._complete.detaching()
-        if not A.size and not self.rest().stable.any() and Remark.UNDECIDED in self.rest().remarks:
+        found = self._reaching()
+        if found is None and not self.rest().stable.any() and Remark.UNDECIDED in self.rest().remarks:
             return replace(self._no_detachment(UNKNOWN), remarks=Remark.UNDECIDED)
-        if not A.size:
+        if found is None:
             return self._no_detachment(NOT_REACHED)
+        F_cr, Omega_cr, A_cr, B_cr = found
+        if math.isinf(Omega_cr):
+            return self._no_detachment(TENDED_TO.format(F_cr))
+        return self._made(Detachment, F_cr, Omega_cr, None, "", A=A_cr, B=B_cr)
+
+    @_kept
+    def _reaching(self) -> tuple[float, float, float, float] | None:
+        """The lowest forcing whose motion comes to an end of the first piece, Omega, which may be inf, A and B."""
+        A, B = self._complete.detaching()
+        if not A.size:
+            return None
         # of the piece alone to whose end each comes
         s_0 = [self._steps.within(a, b).at(a, b, 0).s[0] for a, b in np.stack((A, B), axis=1)[..., np.newaxis]]
         level, Omega = self._flow.least_forcing(A, -2 * np.concatenate(s_0))
-        least = int(np.argmin(level))
-        if math.isinf(Omega[least]):
-            return self._no_detachment(TENDED_TO.format(level[least]))
-        F_cr, Omega_cr, A_cr, B_cr = (float(column[least]) for column in (level, Omega, A, B))
-        return self._made(Detachment, F_cr, Omega_cr, None, "", A=A_cr, B=B_cr)
+        F_cr, Omega_cr, A_cr, B_cr = np.stack((level, Omega, A, B))[:, int(np.argmin(level))].tolist()
+        return F_cr, Omega_cr, A_cr, B_cr
 
     def _rests_beyond(self) -> bool:
         """Whether at rest the mass stands at an end of the first piece or beyond it, wherever it rests."""
@@ -418,18 +426,22 @@ class OffCentre(Unchanging, ComposedQuestions):
             return found
         return Farthest(centred.A, centred.Omega, centred.A, 0.0, found.turns)
 
-    def _check_margins(self) -> None:
+    def _lowest_detaching(self) -> float | None:
         detachment = self.detachment()
-        if detachment.F_cr is None and detachment.message not in (ONE_PIECE, BEYOND, NOT_REACHED):
-            raise validate.NotAvailable(NO_MARGINS + detachment.message)
+        if Remark.UNDECIDED in detachment.remarks:
+            raise NotSettled(NO_MARGINS + detachment.message)
+        if detachment.F_cr is not None or detachment.message in (ONE_PIECE, BEYOND, NOT_REACHED):
+            return detachment.F_cr
+        (F_cr, *_) = self._reaching() or (None,)
+        return F_cr
 
     def _detaches(self, F_0: float) -> bool:
         """Whether a stable motion passes the first breakpoint."""
-        F_cr = self.detachment().F_cr
+        F_cr = self._lowest_detaching()
         if F_cr is None:
             return bool(self.breakpoints) and self._rests_beyond()
-        if F_0 <= F_cr:  # below F_cr none reaches it
-            return False
+        if F_0 <= F_cr or self.detachment().F_cr is None:  # below F_cr none reaches it; above a limit fast ones pass
+            return F_0 > F_cr
         if self._steps.odd:
             u_max = self.peak(F_0).u_max
             return u_max is not None and u_max > self._steps.inner[1]
@@ -450,7 +462,7 @@ class OffCentre(Unchanging, ComposedQuestions):
         if why := sticks or isolating.passes_on(self._model, floor, level):
             return made(None, None, False, F_0, why, Remark(0))
         if self._flow.inertial and self._is_cut(F_0):
-            raise validate.NotAvailable(OPEN.format(self.A_max(F_0)))
+            raise NotSettled(OPEN.format(self.A_max(F_0)))
         folds = self.saddle_nodes(F_0)
         h = -2 * self._steps.at(folds.A, folds.mean, 0).s[0]
         passes = (folds.kind != "unstable") & isolating.transmits(self._flow, folds.Omega, folds.A, F_0, level, h)
