@@ -9,6 +9,7 @@ import signal
 import subprocess
 import sys
 import time
+import warnings
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from threading import Barrier
@@ -583,6 +584,13 @@ def test_bad_questions_are_refused_before_anything_is_written(arguments, error, 
     assert not (tmp_path / "map.zarr").exists()
 
 
+def repeated_axis():
+    """What xarray lets one make, with a warning."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        return {"r": xarray.DataArray([R[:1]], dims=["x", "x"])}
+
+
 @pytest.mark.parametrize(
     ("arguments", "error", "message"),
     [
@@ -600,6 +608,7 @@ def test_bad_questions_are_refused_before_anything_is_written(arguments, error, 
         ),
         (lambda: {"r": axis("delta_h", R), "delta_h": 0.1}, ValueError, "an axis is named delta_h"),
         (lambda: {"r": xarray.DataArray(R, dims=[3])}, ValueError, "names of axes must be strings"),
+        (repeated_axis, ValueError, "r has the axes x, x: each name"),
         (lambda: {"r": lazy.ones(3)[lazy.ones(3) > 0]}, ValueError, "unknown length"),
         (lambda: {"r": axis("r", R), "stiffness": 1}, TypeError, "stiffness"),
     ],

@@ -223,6 +223,10 @@ def labelled(values: Mapping[str, Any]) -> dict[str, Any]:
         if not all(length == length for length in array.shape):  # dask counts what it has not counted as NaN
             raise Refused(f"{name} has blocks of unknown length: {name}.compute_chunk_sizes() counts them")
         if isinstance(array, (xarray.DataArray, xarray.Variable)):
+            if len(set(array.dims)) < array.ndim:
+                raise Refused(
+                    f"{name} has the axes {', '.join(map(str, array.dims))}: each name may be that of one axis"
+                )
             found[name] = xarray.DataArray(array, attrs={}).reset_coords(drop=True)
         elif named and array.ndim:
             raise Refused(f"{name} has axes without names, while others have names: xarray.DataArray({name}, dims=...)")
