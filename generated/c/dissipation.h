@@ -101,7 +101,7 @@ SF_KERNEL double dissipation_F_A(double Omega, double A, double I_0, double I_0A
 }
 
 /* d2F/dA2.
-   Equation (24). Domain: Omega > 0, A > 0. Operations: 48. Error / u (1 + kappa): measured 0.89. */
+   Equation (24). Domain: Omega > 0, A > 0. Operations: 48. Error / u (1 + kappa): measured 1. */
 SF_KERNEL double dissipation_F_AA(double Omega, double A, double I_0, double I_0A, double I_0AA, double zeta, double zeta_A, double zeta_AA, double d, double d_3, double h, double h_A, double h_AA) {
     const double Omega2 = Omega * Omega;
     const double t0 = A * Omega2;
@@ -202,7 +202,7 @@ SF_KERNEL double dissipation_Omega_A_by_inertia(double Omega, double A, double I
 }
 
 /* Positive at a cusp where the level has a minimum along the fold locus, negative at a maximum.
-   Equation from (24), (30). Domain: Omega > 0, A > 0. Operations: 98. Error / u (1 + kappa): measured 0.93. */
+   Equation from (24), (30). Domain: Omega > 0, A > 0. Operations: 98. Error / u (1 + kappa): measured 1.2. */
 SF_KERNEL double dissipation_cusp_bend(double Omega, double A, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double zeta_A, double zeta_AA, double zeta_AAA, double d, double d_3, double h, double h_A, double h_AA, double h_AAA) {
     const double Omega2 = Omega * Omega;
     const double t0 = A * Omega2;
@@ -353,7 +353,7 @@ SF_KERNEL void dissipation_far_by_inertia(double x, double A, double F_0, double
 }
 
 /* As `cusp_bend`, for an excitation by inertia.
-   Equation from (24), (30). Domain: Omega > 0, A > 0. Operations: 102. Error / u (1 + kappa): measured 0.81. */
+   Equation from (24), (30). Domain: Omega > 0, A > 0. Operations: 102. Error / u (1 + kappa): measured 0.93. */
 SF_KERNEL double dissipation_cusp_bend_by_inertia(double Omega, double A, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double zeta_A, double zeta_AA, double zeta_AAA, double d, double d_3, double h, double h_A, double h_AA, double h_AAA) {
     const double Omega2 = Omega * Omega;
     const double t0 = A * Omega2;
@@ -389,7 +389,7 @@ SF_KERNEL double dissipation_cusp_bend_by_inertia(double Omega, double A, double
 }
 
 /* As `isola_bend`, for an excitation by inertia.
-   Equation from (24), (30). Domain: Omega > 0, A > 0. Operations: 102. Error / u (1 + kappa): measured 1.5. */
+   Equation from (24), (30). Domain: Omega > 0, A > 0. Operations: 102. Error / u (1 + kappa): measured 1.8. */
 SF_KERNEL void dissipation_isola_bend_by_inertia(double Omega, double A, double I_0, double I_0A, double I_0AA, double zeta, double zeta_A, double zeta_AA, double d, double d_3, double h, double h_A, double h_AA, double *out) {
     const double Omega2 = Omega * Omega;
     const double t0 = A * Omega2;
@@ -431,7 +431,7 @@ SF_KERNEL double dissipation_full_by_inertia(double F_0, double d) {
 }
 
 /* Both positive: no state above A, while |h| grows by steepest dA at most.
-   Equation from (23), (24). Domain: A > 0. Operations: 10. Error / u (1 + kappa): proved -, 3.76; measured 0.85. */
+   Equation from (23), (24). Domain: A > 0. Operations: 10. Error / u (1 + kappa): proved -, 3.76; measured 0.86. */
 SF_KERNEL void dissipation_structural_bound(double A, double F_0, double eta, double h, double steepest, double *out) {
     const double t0 = A - F_0;
     const double t1 = A * eta;

@@ -74,7 +74,7 @@ KERNEL void OF(far)(REAL x, REAL A, REAL I_0, REAL I_0A, REAL zeta, REAL zeta_A,
 }
 
 /* F at Omega = 0 by its halves h - c and h + c, c^2 = F_0^2 - I_0^2; and the slope of each.
-   Equation from (24). Domain: F_0 > I_0. Operations: 10. Error / u (1 + kappa): measured 0.71. */
+   Equation from (24). Domain: F_0 > I_0. Operations: 10. Error / u (1 + kappa): measured 0.76. */
 KERNEL void OF(static)(REAL F_0, REAL I_0, REAL I_0A, REAL h, REAL h_A, REAL *out) {
     const REAL c = SQRT(MUL(SUB(F_0, I_0), ADD(F_0, I_0)));
     const REAL t0 = DIV(MUL(I_0, I_0A), c);
@@ -127,7 +127,7 @@ KERNEL void OF(R_where_stationary)(REAL x, REAL A, REAL I_0, REAL zeta, REAL d, 
 
 /* F and F_A/2; derivatives by A and by R of the first, then of the second.
    Equation from (24), (30). Domain: Omega > 0, A > 0. Operations: 73. Error / u (1 + kappa): proved -, 1.01, 9.26,
-   8.26, -, -; measured 0.83. */
+   8.26, -, -; measured 0.96. */
 KERNEL void OF(folds_by_R)(REAL Omega, REAL A, REAL F_0, REAL I_0, REAL I_0A, REAL I_0AA, REAL I_0AAA, REAL zeta, REAL zeta_A, REAL zeta_AA, REAL zeta_AAA, REAL d, REAL d_3, REAL h, REAL h_A, REAL h_AA, REAL h_AAA, REAL R, REAL I_, REAL R_A, REAL I_A, REAL *out) {
     const REAL t0 = INVERSE(Omega);
     const REAL t1 = TIMES(2.0, zeta);
@@ -266,7 +266,7 @@ KERNEL void OF(isolas_by_R)(REAL Omega, REAL A, REAL F_0, REAL I_0, REAL I_0A, R
 
 /* F_A/2 and F_AOmega/(4 Omega); derivatives by A and by R of the first, then of the second.
    Equation from (30). Domain: Omega > 0, A > 0. Operations: 241. Error / u (1 + kappa): proved 1.01, -, -, -, -, -;
-   measured 1.3. */
+   measured 2.1. */
 KERNEL void OF(turns_by_R)(REAL Omega, REAL A, REAL F_0, REAL I_0, REAL I_0A, REAL I_0AA, REAL I_0AAA, REAL zeta, REAL zeta_A, REAL zeta_AA, REAL zeta_AAA, REAL d, REAL d_3, REAL h, REAL h_A, REAL h_AA, REAL h_AAA, REAL R, REAL I_, REAL R_A, REAL I_A, REAL *out) {
     const REAL t0 = MUL(R, R_A);
     const REAL t1 = MUL(A, R_A);
@@ -375,7 +375,7 @@ KERNEL void OF(folds_by_Omega)(REAL Omega, REAL A, REAL F_0, REAL I_0, REAL I_0A
 
 /* F and what vanishes where the level is stationary; derivatives by A and by Omega of the first, then of the second.
    Equation from (24). Domain: Omega > 0, A > 0. Operations: 101. Error / u (1 + kappa): proved -, -, 1.01, 7.26, -,
-   -; measured 0.68. */
+   -; measured 0.72. */
 KERNEL void OF(peaks_by_Omega)(REAL Omega, REAL A, REAL F_0, REAL I_0, REAL I_0A, REAL I_0AA, REAL I_0AAA, REAL zeta, REAL zeta_A, REAL zeta_AA, REAL zeta_AAA, REAL d, REAL d_3, REAL h, REAL h_A, REAL h_AA, REAL h_AAA, REAL R, REAL I_, REAL R_A, REAL I_A, REAL *out) {
     const REAL t0 = INVERSE(Omega);
     const REAL t1 = MUL(I_0, t0);
@@ -491,7 +491,7 @@ KERNEL void OF(isolas_by_Omega)(REAL Omega, REAL A, REAL F_0, REAL I_0, REAL I_0
 
 /* F_A/2 and F_AOmega/(4 Omega); derivatives by A and by Omega of the first, then of the second.
    Equation from (30). Domain: Omega > 0, A > 0. Operations: 203. Error / u (1 + kappa): proved 1.01, -, 10.26, -,
-   -, -; measured 1.3. */
+   -, -; measured 1.7. */
 KERNEL void OF(turns_by_Omega)(REAL Omega, REAL A, REAL F_0, REAL I_0, REAL I_0A, REAL I_0AA, REAL I_0AAA, REAL zeta, REAL zeta_A, REAL zeta_AA, REAL zeta_AAA, REAL d, REAL d_3, REAL h, REAL h_A, REAL h_AA, REAL h_AAA, REAL R, REAL I_, REAL R_A, REAL I_A, REAL *out) {
     const REAL t0 = MUL(A, R_A);
     const REAL t1 = TIMES(2.0, I_);
@@ -561,7 +561,7 @@ KERNEL void OF(turns_by_Omega)(REAL Omega, REAL A, REAL F_0, REAL I_0, REAL I_0A
 
 /* F and F_A/2 of an excitation by inertia, over powers of Omega, x = 1/Omega; derivatives by A and by R of the first, then of the second.
    Equation from (24), (30). Domain: Omega > 0, A > 0. Operations: 54. Error / u (1 + kappa): proved -, 1.01, 4.01,
-   3.51, 24.51, 12.34; measured 0.7. */
+   3.51, 24.51, 12.34; measured 0.79. */
 KERNEL void OF(folds_far_by_R)(REAL x, REAL A, REAL F_0, REAL I_0, REAL I_0A, REAL I_0AA, REAL I_0AAA, REAL zeta, REAL zeta_A, REAL zeta_AA, REAL zeta_AAA, REAL d, REAL d_3, REAL h, REAL h_A, REAL h_AA, REAL h_AAA, REAL R, REAL I_, REAL R_A, REAL I_A, REAL *out) {
     const REAL t0 = INVERSE(h);
     const REAL t1 = DIV(t0, x);
@@ -678,7 +678,7 @@ KERNEL void OF(isolas_far_by_R)(REAL x, REAL A, REAL F_0, REAL I_0, REAL I_0A, R
 
 /* F and F_A/2 of an excitation by inertia, over powers of Omega, x = 1/Omega; derivatives by A and by x of the first, then of the second.
    Equation from (24), (30). Domain: Omega > 0, A > 0. Operations: 49. Error / u (1 + kappa): proved -, 1.01, 1.01,
-   2.01, 8.01, 8.34; measured 0.5. */
+   2.01, 8.01, 8.34; measured 0.53. */
 KERNEL void OF(folds_far_by_x)(REAL x, REAL A, REAL F_0, REAL I_0, REAL I_0A, REAL I_0AA, REAL I_0AAA, REAL zeta, REAL zeta_A, REAL zeta_AA, REAL zeta_AAA, REAL d, REAL d_3, REAL h, REAL h_A, REAL h_AA, REAL h_AAA, REAL R, REAL I_, REAL R_A, REAL I_A, REAL *out) {
     const REAL t0 = ADD(MUL(I_, I_A), MUL(R, R_A));
     const REAL t1 = MUL(R, x);

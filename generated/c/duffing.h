@@ -192,7 +192,7 @@ SF_KERNEL double duffing_force(double u, double alpha, double beta, double gamma
 
 /* Reduced resultant of F_A and F_AA: coefficients of A^0, A^2, ...; its roots are candidates for the onset.
    Equation (33). Domain: roots with A > 0. Operations: 238. Error / u (1 + kappa): proved 0.82, 0.91, 6.01, 4.01,
-   8.17, -, -, -, -, -, -, -, -, -, -, 4.8, 5.04, 0.89, 0.89; measured 0.78. */
+   8.17, -, -, -, -, -, -, -, -, -, -, 4.8, 5.04, 0.89, 0.89; measured 0.94. */
 #define DUFFING_SADDLE_NODE_ONSET_COUNT 19
 SF_KERNEL void duffing_saddle_node_onset(double m, double zeta, const double *p, double *out) {
     const double alpha = p[0], beta = p[1], gamma = p[2];
@@ -265,7 +265,7 @@ SF_KERNEL void duffing_saddle_node_onset(double m, double zeta, const double *p,
 }
 
 /* Reduced resultant of F and F_A: coefficients of A^0, A^2, ...; its roots are candidates for folds.
-   Equation from (24), (30). Domain: roots with A > 0. Operations: 355. Error / u (1 + kappa): measured 0.61. */
+   Equation from (24), (30). Domain: roots with A > 0. Operations: 355. Error / u (1 + kappa): measured 0.63. */
 #define DUFFING_SADDLE_NODES_COUNT 17
 SF_KERNEL void duffing_saddle_nodes(double F_0, double m, double zeta, const double *p, double *out) {
     const double alpha = p[0], beta = p[1], gamma = p[2];

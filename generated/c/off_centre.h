@@ -32,7 +32,7 @@ SF_KERNEL void off_centre_begin(double A, double a, double root, double angle, d
 }
 
 /* L_k and M_k from the two below each; span = A^2 - a^2.
-   Equation the mean of (3). Domain: k >= 1. Operations: 19. Error / u (1 + kappa): proved 14.01, -; measured 0.5. */
+   Equation the mean of (3). Domain: k >= 1. Operations: 19. Error / u (1 + kappa): proved 14.01, -; measured 0.51. */
 SF_KERNEL void off_centre_up(double k, double A, double a, double span, double L_2, double L_1, double M_2, double M_1, double *out) {
     const double t0 = 2.0 * k;
     const double t1 = k + 1.0;

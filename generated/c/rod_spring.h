@@ -681,7 +681,7 @@ SF_KERNEL void rod_spring_by_design(double lam, double r, double delta_h, double
 
 /* The parameters alpha, beta, gamma, u_cr from the design.
    Equation (5), (7). Domain: any design. Operations: 11. Error / u (1 + kappa): proved 1.34, 6.01, 8.01, -;
-   measured 2. */
+   measured 2.1. */
 SF_KERNEL void rod_spring_coefficients(double lam, double r, double delta_h, double *out) {
     const double t0 = lam * r;
     const double t1 = t0 * (delta_h - 1.0);

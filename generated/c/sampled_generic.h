@@ -16,7 +16,7 @@ KERNEL void OF(bent_terms)(REAL sine, REAL f, REAL f_uuuu, REAL *out) {
 }
 
 /* What a breakpoint adds to h_AAAA; derivatives of order 0 are the first to be lost.
-   Equation (31). Domain: A > b > 0. Operations: 56. Error / u (1 + kappa): measured 1.1. */
+   Equation (31). Domain: A > b > 0. Operations: 56. Error / u (1 + kappa): measured 1.2. */
 KERNEL REAL OF(bent_end_0)(REAL A, REAL b, REAL lost_0, REAL lost_1, REAL lost_2, REAL lost_3) {
     const REAL root = MUL(SQRT(SUB(A, b)), SQRT(ADD(A, b)));
     const REAL A2 = SQUARE(A);

@@ -119,7 +119,7 @@ SF_KERNEL void sensitivities_slopes(double Omega, double A, double R, double I_0
 
 /* What a parameter does to what vanishes, with the opposite sign.
    Equation from (23)-(34). Domain: Omega > 0, A > 0. Operations: 120. Error / u (1 + kappa): proved -, -, -, -,
-   0.0, 0.0, 0.0, 0.0; measured 0.65. */
+   0.0, 0.0, 0.0, 0.0; measured 0.67. */
 SF_KERNEL void sensitivities_right(double Omega, double A, double R, double I_0, double I_0A, double I_0AA, double zeta, double zeta_A, double zeta_AA, double d, double d_3, double h_A, double h_AA, double h_p, double h_Ap, double h_AAp, double I_0p, double I_0Ap, double I_0AAp, double zeta_p, double zeta_Ap, double zeta_AAp, double d_p, double d_3p, double forcing_p, double frequency_p, double end_p, double *out) {
     const double t0 = 2.0 * zeta;
     const double t1 = Omega * t0;

@@ -686,7 +686,7 @@ def coefficients(lam: ArrayLike, r: ArrayLike, delta_h: ArrayLike) -> tuple[Any,
     """The parameters alpha, beta, gamma, u_cr from the design.
 
     Equation (5), (7). Domain: any design. Operations: 11. Error / u (1 + kappa): proved 1.34, 6.01, 8.01, -;
-    measured 2.
+    measured 2.1.
     """
     lam, r, delta_h = floats(lam, r, delta_h)
     t0 = lam * r
@@ -857,7 +857,7 @@ def h_AAA(A: ArrayLike, alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike, u_c
 def H(A: ArrayLike, alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike, u_cr: ArrayLike) -> Any:
     """The averaged force H beside the vertical spring.
 
-    Equation (20)-(22). Domain: A >= 0. Error / u (1 + kappa): measured 1.7.
+    Equation (20)-(22). Domain: A >= 0. Error / u (1 + kappa): measured 1.9.
     """
     return averaged_H(A, alpha, beta, gamma, u_cr)[0]
 

@@ -138,7 +138,7 @@ def F_OmegaOmega(Omega: ArrayLike, A: ArrayLike, zeta: ArrayLike, h: ArrayLike) 
 def phase(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike) -> Any:
     """Phase phi of a steady state, from -pi to 0.
 
-    Equation (25). Domain: Omega > 0, A > 0. Operations: 8. Error / u (1 + kappa): measured 0.87.
+    Equation (25). Domain: Omega > 0, A > 0. Operations: 8. Error / u (1 + kappa): measured 0.88.
     """
     Omega, A, m, zeta, h = floats(Omega, A, m, zeta, h)
     R = A * Omega * Omega + h
@@ -202,7 +202,7 @@ def isolation(A: ArrayLike, F_0: ArrayLike, reduction: ArrayLike, h: ArrayLike) 
     """Frequency of a state that transmits sqrt(1 - reduction) of what drives it, though it moves.
 
     Equation from (23). Domain: A > 0, F_0 > 0, 0 <= reduction < 1. Operations: 6 in inwards, 8 in outwards. Error /
-    u (1 + kappa): measured 0.71.
+    u (1 + kappa): measured 0.83.
     """
     A, F_0, reduction, h = arguments = floats(A, F_0, reduction, h)
     bodies = (_isolation_inwards, _isolation_outwards)

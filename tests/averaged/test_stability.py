@@ -6,11 +6,13 @@ bits; numbers of states and folds against proved ones, at the stored wrong cases
 
 from __future__ import annotations
 
+import json
 import math
 
 import numpy as np
 import pytest
 
+from benchmarks.document import DOCS, RESULTS
 from benchmarks.stress import __main__ as stress
 from benchmarks.stress import answers, baseline, counts, domains, kernels, roots
 from tests import backends
@@ -48,6 +50,17 @@ def package(request):
 def test_every_kernel_has_worst_points():
     without_outputs = {("duffing", "breakpoints"), ("duffing", "jumps")}
     assert set(KERNELS) == set(kernels.named()) - without_outputs
+
+
+def test_the_page_is_what_its_numbers_give():
+    """Its numbers named kernels that were gone, and arguments that others had got since: it could not be written."""
+    pytest.importorskip("matplotlib")
+    from benchmarks.stress import page
+
+    numbers = json.loads((RESULTS / "stability.json").read_text(encoding="utf-8"))
+    for what in ("kernels", "extremes"):
+        assert {(row["module"], row["kernel"]) for row in numbers[what]} <= set(kernels.named())
+    assert page.page(numbers) == (DOCS / "stability.md").read_text(encoding="utf-8")
 
 
 def test_boxes_are_those_of_the_arguments_that_kernels_take():
