@@ -1,6 +1,7 @@
 """What the benchmarks compare with: the peers' problem against the kernels, and the judging."""
 
 import math
+import random
 import subprocess
 import sys
 import time
@@ -10,7 +11,7 @@ import mpmath
 import numpy as np
 import pytest
 
-from benchmarks import bench_exact, certified, document, questions, remote, work_precision
+from benchmarks import bench_exact, certified, costs, document, questions, remote, work_precision
 from benchmarks.document import with_earlier
 from benchmarks.jobs import prepare
 from benchmarks.peers import problem
@@ -139,3 +140,19 @@ def test_jobs_answer_with_what_is_checked() -> None:
     for name in ("random | amplitudes", "Table 1 | detachment", "second | peak", "workers 2 | saddle_nodes"):
         run, describe = jobs[f"{name} | 10"]
         assert describe(run())["status"] < questions.UNSOLVED
+
+
+@pytest.mark.parametrize("kind", costs.KINDS)
+def test_scenes_whose_cost_is_measured_are_read(kind: str) -> None:
+    """Their density lacked a unit after that was required: no cost could be measured."""
+    for question in costs.QUESTIONS:
+        assert question in {query.question for query in costs.scene(question, kind, random.Random(1)).queries}
+
+
+def test_the_cost_of_tolerances_design_by_design_is_measured(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A tenth of the samples, for ten times as long; it took arguments by a name that was gone."""
+    taken: list[int] = []
+    monkeypatch.setattr(costs, "tolerances", lambda of, samples, **_: taken.append(samples))
+    of = costs.scene("tolerances", "load", random.Random(1))
+    (query, *_) = (one for one in of.queries if one.question == "tolerances")
+    assert costs.once(of, query) >= 0 and taken == [costs.FEW_SAMPLES // 10]
