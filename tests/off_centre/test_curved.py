@@ -92,6 +92,17 @@ def test_means_are_those_of_exact_integrals(name, A, B):
 
 
 @pytest.mark.slow
+def test_third_derivatives_are_slopes_of_second_ones(patched):
+    """Also of motions that pass a bend, where f'' jumps."""
+    model = patched(p=0.1, q=0.7, **DAMPED).model
+    steps, step = Steps(model.mechanism, model.parameters, 0.0), 1e-5
+    A, B = np.array([(0.3, 0.0), (0.6, 0.1), (0.2, -0.5), (0.1, 0.6), (0.3, -0.25), (4.0, 0.3)]).T
+    at, above, below = steps.at(A, B, 3), steps.at(A, B + step, 2), steps.at(A, B - step, 2)
+    np.testing.assert_allclose(at.c[3], (above.c[2] - below.c[2]) / (2 * step), rtol=1e-5, atol=1e-6)
+    np.testing.assert_allclose(at.s[3], (above.s[2] - below.s[2]) / (2 * step), rtol=1e-5, atol=1e-6)
+
+
+@pytest.mark.slow
 def test_boxes_hold_all_that_motions_within_them_have(patched):
     """Also of an odd force, whose pieces on the left are those on the right turned."""
     forces = patched(p=0.1, q=0.7, **DAMPED), Isolator(**TABLE_1, force="untruncated", load=0.05)
