@@ -158,7 +158,7 @@ FAMILIES = {
     "inertia": Family(on_a_base, state=2.0, phase=100.0, A_on_corner=False, gradients=True, sticks=True),
     **{
         name: Family(with_a_mean, phase=20.0, corners=False, sticks=True, mean=mean)
-        for name, mean in (("sided", (4.0, 1.0)), ("curved", (32.0, 16.0)), ("off_centre_laws", (4.0, 1.0)))
+        for name, mean in (("sided", (4.0, 1.0)), ("curved", (16.0, 8.0)), ("off_centre_laws", (4.0, 1.0)))
     },
 }  # fmt: skip
 

@@ -281,7 +281,7 @@ def test_examples_of_the_list_run(path: str, tmp_path: Path, monkeypatch: pytest
     examples = dict(api.EXAMPLES[path])
     begin = api.EXAMPLES["begin"] + examples.pop("begin", "")
     module = import_module(path)
-    names = {name: value for name, value in vars(module).items() if not name.startswith("_")}
+    names = {name: getattr(module, name) for name in dir(module) if not name.startswith("_")}
     exec(begin, names)
     for name, code in examples.items():
         *before, last = ast.parse(code).body

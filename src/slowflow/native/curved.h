@@ -124,7 +124,16 @@ typedef struct {
     int piece;
 } sf_swing;
 
-/* Up to r^(highest), by so many panels. They are dense next to both ends, in the third power. */
+static void sf_add_moments(const sf_moments *more, int highest, sf_moments *out) {
+    for (int n = 0; n <= highest; n++) {
+        out->size[n] += more->size[n];
+        for (int p = 0; p < SF_CURVED_POWERS; p++)
+            out->value[n][p] += more->value[n][p];
+    }
+}
+
+/* Up to r^(highest), by so many panels, summed each by itself: so few roundings enter. They are dense next to both
+ * ends, in the third power. */
 static void sf_sum_panels(const sf_curved *of, const sf_swing *on, int highest, int panels, sf_lanes *lanes,
                           sf_moments *out) {
     const sf_curved_piece *piece = &of->piece[on->piece];
@@ -134,6 +143,7 @@ static void sf_sum_panels(const sf_curved *of, const sf_swing *on, int highest, 
     for (int panel = 0; panel < panels; panel++) {
         double u[SF_CURVED_NODES], cosine[SF_CURVED_NODES], w[SF_CURVED_NODES];
         double values[SF_CURVED_ORDERS][SF_CURVED_NODES];
+        sf_moments of_panel = {0};
         for (int j = 0; j < SF_CURVED_NODES; j++) {
             const double x = (panel + of->node[j]) / panels, inside = x * (1 - x);
             cosine[j] = cos(on->low + span * (x * x * x * (10 - 15 * x + 6 * x * x)));
@@ -153,10 +163,11 @@ static void sf_sum_panels(const sf_curved *of, const sf_swing *on, int highest, 
                 const double sign = piece->mirrored && n % 2 == 0 ? -1 : 1, x = piece->mirrored ? -u[j] : u[j];
                 double term = w[j] * (sign * values[n][j] - (n == 0 ? a + b * x : n == 1 ? b : 0));
                 for (int p = 0; p < SF_CURVED_POWERS; p++, term *= cosine[j])
-                    out->value[n][p] += term;
-                out->size[n] += w[j] * (size[n] + (n + 1 < of->orders ? far * size[n + 1] : 0));
+                    of_panel.value[n][p] += term;
+                of_panel.size[n] += w[j] * (size[n] + (n + 1 < of->orders ? far * size[n + 1] : 0));
             }
         }
+        sf_add_moments(&of_panel, highest, out);
     }
 }
 
@@ -205,11 +216,7 @@ static void sf_curved_moments(const sf_curved *of, double A, double B, int highe
         on.low = isinf(end) && !cut ? 0 : sf_angle_at(size, (cut ? 0 : end) - B);
         if (within && on.high > on.low) {
             sf_settle_panels(of, &on, highest, &lanes, &found);
-            for (int n = 0; n <= highest; n++) {
-                out->size[n] += found.size[n];
-                for (int p = 0; p < SF_CURVED_POWERS; p++)
-                    out->value[n][p] += found.value[n][p];
-            }
+            sf_add_moments(&found, highest, out);
         }
         on.high = on.low, on.piece += !cut;
     }
