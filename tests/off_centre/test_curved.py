@@ -154,6 +154,29 @@ def test_states_off_the_centre_say_where_those_about_it_are_cut():
     assert Remark.CUT in every.remarks and every.message == "cut at A = 5, it ends"
 
 
+def levelling_off(A, B):
+    """<f> and h of f = u^3/(1 + u^2) = u - Re 1/(u + i) along B + A cos(psi), in closed form."""
+    root = np.sqrt(B + 1j - A) * np.sqrt(B + 1j + A)
+    return B - (1 / root).real, -A + 2 * ((1 - (B + 1j) / root) / A).real
+
+
+def test_folds_of_a_force_that_levels_off_are_all_found():
+    """By turning points of Omega along the balance at F_0; on large boxes its formula by itself says nothing."""
+    one = derive.mechanism("levelling", [(q * u**3 / (1 + u**2), None)], {"q": ABOVE})(q=1, zeta=0.05, load=0.1)
+    A, low, high = np.geomspace(1e-2, 1500.0, 20_000), np.full(20_000, -1600.0), np.full(20_000, 1600.0)
+    for _ in range(50):
+        B = (low + high) / 2
+        low, high = (np.where((levelling_off(A, B)[0] < 0.1) == side, B, end) for side, end in ((1, low), (0, high)))
+    p, level = -levelling_off(A, B)[1] / A, (0.4 / A) ** 2
+    with np.errstate(invalid="ignore"):  # of other amplitudes there is no motion
+        turn = np.sqrt(level - 4 * 0.05**2 * (p - 0.05**2))
+        curves = [np.sqrt(p - 2 * 0.05**2 + sign * turn) for sign in (1, -1)]
+    at = [curve[1:-1][np.abs(np.diff(np.sign(np.diff(curve)))) == 2] for curve in curves]
+    found = one.saddle_nodes(F_0=0.4)
+    assert len(found) == 2 and found.Omega == pytest.approx(np.sort(np.concatenate(at)), rel=1e-6)
+    assert one.saddle_node_onset().F_SN < 0.4 < one.peak(0.4).A
+
+
 def test_what_is_not_smooth_is_refused_with_where_it_is():
     """A pole and a root between the ends of a piece; a root that a piece begins with."""
     pole = derive.mechanism("pole", [(u + q / (d - u), 1), (u, None)], {"q": ABOVE, "d": ABOVE}, odd=False)

@@ -57,10 +57,11 @@ typedef struct {
 } sf_curved_piece;
 
 /* end, bend -- where each piece but the last ends, and what f'' gains there; wall -- the u that no motion passes, below
- * and above; cosine, over_panels -- at the edges of the panels, and on them */
+ * and above; cosine, over_panels -- at the edges of the panels, and on them; edge, segment -- of narrow segments of u
+ * the ends, and what r and three derivatives are not below on them, with a minus, and not above */
 typedef struct {
-    int pieces, orders;
-    const double *end, *bend, *wall, *node, *weight, *cosine, *over_panels[SF_WEIGHTS];
+    int pieces, orders, enclosed, segments;
+    const double *edge, *segment, *end, *bend, *wall, *node, *weight, *cosine, *over_panels[SF_WEIGHTS];
     sf_curved_piece piece[SF_MOST_CURVED];
     sf_reader reader;
 } sf_curved;
@@ -73,18 +74,23 @@ static const double *sf_take(const double **next, ptrdiff_t n) {
     return found;
 }
 
-/* The same in one array: how many pieces, derivatives, whether intervals are known, how many integers; then what is
- * pointed to, in that order, the integers and the numbers of lines. 0 where it is none; leaves room to be freed. */
+/* The same in one array: how many pieces, derivatives, whether intervals are known, how many integers and segments;
+ * then what is pointed to, in that order, the integers and the numbers of lines. 0 where it is none; leaves room to be
+ * freed.
+ */
 static int sf_read_curved(const double *packed, ptrdiff_t n, sf_curved *of) {
-    const double *next = packed + 4;
+    const double *next = packed + 5;
     memset(&of->reader, 0, sizeof of->reader);
-    if (n < 4 || !(packed[0] >= 1 && packed[0] <= SF_MOST_CURVED && packed[1] >= 1 && packed[1] <= SF_CURVED_ORDERS &&
-                   packed[3] >= 0 && packed[3] < n))
+    if (n < 5 || !(packed[0] >= 1 && packed[0] <= SF_MOST_CURVED && packed[1] >= 1 && packed[1] <= SF_CURVED_ORDERS &&
+                   packed[3] >= 0 && packed[3] < n && packed[4] >= 0 && packed[4] < n))
         return 0;
-    of->pieces = (int)packed[0], of->orders = (int)packed[1];
+    of->pieces = (int)packed[0], of->orders = (int)packed[1], of->enclosed = packed[2] != 0,
+    of->segments = (int)packed[4];
     const ptrdiff_t pieces = of->pieces, integers = (ptrdiff_t)packed[3];
-    if (n < 4 + 5 * pieces + 2 * SF_CURVED_NODES + 1 + (1 + SF_WEIGHTS) * SF_BOX_PANELS + integers)
+    if (n < 6 + (1 + 2 * SF_CURVED_ORDERS) * of->segments + 5 * pieces + 2 * SF_CURVED_NODES + 1 +
+                (1 + SF_WEIGHTS) * SF_BOX_PANELS + integers)
         return 0;
+    of->edge = sf_take(&next, of->segments + 1), of->segment = sf_take(&next, 2 * SF_CURVED_ORDERS * of->segments);
     of->end = sf_take(&next, pieces - 1), of->bend = sf_take(&next, pieces - 1), of->wall = sf_take(&next, 2);
     for (int i = 0; i < pieces; i++)
         of->piece[i].steps = sf_take(&next, 2), of->piece[i].mirrored = *sf_take(&next, 1) != 0;
@@ -101,7 +107,7 @@ static int sf_read_curved(const double *packed, ptrdiff_t n, sf_curved *of) {
     of->reader.number = next, of->reader.last_number = packed + n;
     for (int i = 0; i < pieces; i++) {
         sf_read_straight(&of->reader, sf_in_doubles, 1, of->orders, &of->piece[i].at);
-        if (packed[2] != 0)
+        if (of->enclosed)
             sf_read_straight(&of->reader, sf_on_intervals, 1, SF_CURVED_ORDERS, &of->piece[i].on);
     }
     return of->reader.status == SF_READ;
@@ -268,45 +274,78 @@ static sf_remainder sf_remainder_at(const sf_moments *at) {
                           sf_any_number};
 }
 
-/* What holds r and three derivatives on each panel: u rises with both ends, so that it is between those of its edges.
- */
-static void sf_curved_on_panels(const sf_curved *of, sf_interval top, sf_interval bottom,
-                                sf_interval out[][SF_BOX_PANELS]) {
-    double low[SF_BOX_PANELS + 1], high[SF_BOX_PANELS + 1];
-    sf_interval x[SF_MOST_REGISTERS];
-    for (int k = 0; k <= SF_BOX_PANELS; k++) {
-        const double fraction = 0.5 * (1 + of->cosine[k]);
-        low[k] = top.lo * fraction + bottom.lo * (1 - fraction);
-        high[k] = top.hi * fraction + bottom.hi * (1 - fraction);
+/* Narrows what is known of r and three derivatives on a panel by what is known of all segments in between: where
+ * these are far apart a formula by itself may say next to nothing, as u^3/(1 + u^2) about 0. */
+static void sf_by_segments(const sf_curved *of, double low, double high, int k, sf_interval out[][SF_BOX_PANELS]) {
+    int first = 0, beyond = of->segments;
+    if (!(of->edge[0] <= low && high <= of->edge[of->segments]))
+        return;
+    for (int last = of->segments; last - first > 1;) {
+        const int middle = (first + last) / 2;
+        *(of->edge[middle] <= low ? &first : &last) = middle;
     }
+    for (beyond = first + 1; of->edge[beyond] < high; beyond++)
+        ;
+    double most[2 * SF_CURVED_ORDERS];
+    memcpy(most, of->segment + 2 * SF_CURVED_ORDERS * first, sizeof most);
+    for (int i = first + 1; i < beyond; i++)
+        for (int j = 0; j < 2 * SF_CURVED_ORDERS; j++) {
+            const double one = of->segment[2 * SF_CURVED_ORDERS * i + j];
+            most[j] = one > most[j] ? one : most[j];
+        }
     for (int n = 0; n < SF_CURVED_ORDERS; n++)
-        for (int k = 0; k < SF_BOX_PANELS; k++)
-            out[n][k] = sfi_of(HUGE_VAL, -HUGE_VAL);
+        out[n][k] = sf_both(out[n][k], sfi_of(-most[2 * n], most[2 * n + 1]));
+}
+
+/* What holds r and three derivatives between so many places. */
+static void sf_curved_between(const sf_curved *of, int n, const double *low, const double *high,
+                              sf_interval out[][SF_BOX_PANELS]) {
+    sf_interval x[SF_MOST_REGISTERS];
+    for (int order = 0; order < SF_CURVED_ORDERS; order++)
+        for (int k = 0; k < n; k++)
+            out[order][k] = sfi_of(HUGE_VAL, -HUGE_VAL);
     for (int i = 0; i < of->pieces; i++) {
         const sf_curved_piece *piece = &of->piece[i];
         const double start = sf_curved_edge(of, i - 1), end = sf_curved_edge(of, i);
         sf_fill_both(&piece->on, x);
-        for (int k = 0; k < SF_BOX_PANELS; k++) {
-            const double lo = fmin(low[k], low[k + 1]), hi = fmax(high[k], high[k + 1]);
-            const sf_interval u = {fmax(lo - 0x1p-50 * fabs(lo), start), fmin(hi + 0x1p-50 * fabs(hi), end)};
+        for (int k = 0; k < n; k++) {
+            const sf_interval u = {fmax(low[k], start), fmin(high[k], end)};
             if (u.lo > u.hi)
                 continue;
             x[0] = piece->mirrored ? sfi_neg(u) : u;
             sf_run_on_intervals(&piece->on, x);
-            for (int n = 0; n < SF_CURVED_ORDERS; n++) {
-                sf_interval one = x[piece->on.output[n]];
-                if (piece->mirrored && n % 2 == 0)
+            for (int order = 0; order < SF_CURVED_ORDERS; order++) {
+                sf_interval one = x[piece->on.output[order]];
+                if (piece->mirrored && order % 2 == 0)
                     one = sfi_neg(one);
-                if (n == 0)
+                if (order == 0)
                     one = sfi_sub(one, sfi_add(sfi_mul(sfi_point(piece->steps[1]), u), sfi_point(piece->steps[0])));
-                if (n == 1)
+                if (order == 1)
                     one = sfi_sub(one, sfi_point(piece->steps[1]));
                 /* what is not known of one piece is not known at all */
-                out[n][k].lo = isnan(one.lo) ? -HUGE_VAL : fmin(out[n][k].lo, one.lo);
-                out[n][k].hi = isnan(one.hi) ? HUGE_VAL : fmax(out[n][k].hi, one.hi);
+                out[order][k].lo = isnan(one.lo) ? -HUGE_VAL : fmin(out[order][k].lo, one.lo);
+                out[order][k].hi = isnan(one.hi) ? HUGE_VAL : fmax(out[order][k].hi, one.hi);
             }
         }
     }
+}
+
+/* What holds them on each panel: u rises with both ends, so that it is between those of its edges. */
+static void sf_curved_on_panels(const sf_curved *of, sf_interval top, sf_interval bottom,
+                                sf_interval out[][SF_BOX_PANELS]) {
+    double ends[2][SF_BOX_PANELS + 1], low[SF_BOX_PANELS], high[SF_BOX_PANELS];
+    for (int k = 0; k <= SF_BOX_PANELS; k++) {
+        const double fraction = 0.5 * (1 + of->cosine[k]);
+        ends[0][k] = top.lo * fraction + bottom.lo * (1 - fraction);
+        ends[1][k] = top.hi * fraction + bottom.hi * (1 - fraction);
+    }
+    for (int k = 0; k < SF_BOX_PANELS; k++) {
+        low[k] = fmin(ends[0][k], ends[0][k + 1]), high[k] = fmax(ends[1][k], ends[1][k + 1]);
+        low[k] -= 0x1p-50 * fabs(low[k]), high[k] += 0x1p-50 * fabs(high[k]);
+    }
+    sf_curved_between(of, SF_BOX_PANELS, low, high, out);
+    for (int k = 0; of->segments > 0 && k < SF_BOX_PANELS; k++)
+        sf_by_segments(of, low[k], high[k], k, out);
 }
 
 /* The mean over the cycle of what is held on each panel. Either end has its own roundings: next to a wall the upper one
@@ -427,7 +466,7 @@ static void sf_add_curved(const sf_curved *of, const sf_charts *charts, int char
     inside.P_1 = sf_both(whole.P_1, sf_near_middle(near.P_1, whole.P_P, whole.P_Q, radius));
     inside.Q_1 = sf_both(whole.Q_1, sf_near_middle(near.Q_1, whole.P_Q, whole.Q_Q, radius));
     const double nearly[2] = {2 * sf_width(near.P_1), 2 * sf_width(near.Q_1)};
-    if (!(isfinite(nearly[0] + nearly[1]) && sf_width(inside.P_1) <= nearly[0] && sf_width(inside.Q_1) <= nearly[1]))
+    if (!(sf_width(inside.P_1) <= nearly[0] && sf_width(inside.Q_1) <= nearly[1]))
         sf_remainder_on(of, &near, ends, top_at, bottom_at, &inside);
     sf_add_remainder(&whole, here), sf_add_remainder(&inside, middle);
 }

@@ -10,13 +10,13 @@ which C evaluates at numbers and on intervals.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from slowflow.core.backend import SOLVER
-from slowflow.core.intervals import Elementary, Interval
 from slowflow.core.model import Floats
 from slowflow.support.errors import Refused
 from slowflow.support.quadrature import gauss
@@ -32,6 +32,9 @@ MOST_HALVES = 16
 TOO_LONG = "offset motions are not derived for a force with a piece of more than {} operations"
 UNKNOWN = "offset motions are not derived for a force with the function {}"
 
+#: ends of segments on which a force is enclosed once and for all
+_OCTAVES = 2.0 ** np.arange(-4, 20.25, 0.25)
+_EDGES_OF_U = np.concatenate((-_OCTAVES[::-1], [0.0], _OCTAVES))
 _AT, _WEIGHTS = gauss(NODES)
 _FRACTIONS = np.linspace(0.0, 1.0, PANELS + 1)
 #: dense where a motion turns, about which a stiff force acts
@@ -147,32 +150,38 @@ class Traced:
     __radd__, __rmul__ = __add__, __mul__
 
 
-class Part(NamedTuple):
-    """A piece of the force with its numbers.
+@dataclass(frozen=True)
+class Formula:
+    """A smooth force of u.
 
-    law, enclosed -- f and derivatives of u; f to f''' of what makes intervals of numbers, and of u
-    mirrored      -- whether these are of -f(-u)
-    line          -- what the steps are on it: a + b u
+    law, enclosed -- it and derivatives of u; it to its third derivative of what makes intervals of numbers, and of u
     """
 
     law: Callable[[Any], Any]
-    enclosed: Callable[[Any, Any], Any] | None
-    mirrored: bool
-    line: tuple[float, float]
+    enclosed: Callable[[Any, Any], Any] | None = None
 
-    def force(self, u: Interval) -> list[Interval]:
-        """f and three derivatives on intervals."""
-        assert self.enclosed is not None
-        at = Elementary(-u.ends[::-1] if self.mirrored else u.ends)
-        values = [Interval.like(one, at) for one in self.enclosed(Elementary, at)]
-        return [one if n % 2 else -one for n, one in enumerate(values)] if self.mirrored else values
-
-    @property
+    @cached_property
     def lines(self) -> list[tuple[list[int], list[float]]]:
-        """Straight lines of f and its derivatives, of doubles and on intervals."""
+        """Straight lines of both, of doubles and on intervals."""
         numbers, intervals = Line(on=False), Line(on=True)
         found = [numbers.of(self.law(numbers.u))]
         return found if self.enclosed is None else [*found, intervals.of(self.enclosed(intervals, intervals.u))]
+
+
+class Part(NamedTuple):
+    """A piece of the force with its numbers.
+
+    mirrored -- whether it is -f(-u) of its formula
+    line     -- what the steps are on it: a + b u
+    """
+
+    formula: Formula
+    mirrored: bool
+    line: tuple[float, float]
+
+    def between(self, low: Any, high: Any) -> Floats:
+        """Between which f and three derivatives are from one u to another, (n, 4, 2)."""
+        return Curved((self._replace(line=(0.0, 0.0)),), np.empty(0), np.empty(0)).between(low, high).reshape(-1, 4, 2)
 
 
 class Curved:
@@ -203,12 +212,23 @@ class Curved:
 
     @cached_property
     def packed(self) -> Floats:
-        """What native/curved.h reads."""
-        lines = [line for piece in self.pieces for line in piece.lines]
+        """What native/curved.h reads; where intervals are known with what they are on narrow segments of u."""
+        edges = np.unique([*_EDGES_OF_U, *self.ends])
+        is_enclosed = all(piece.formula.enclosed for piece in self.pieces)
+        if not is_enclosed:
+            return self._with_segments()
+        return self._with_segments(edges, self.between(edges[:-1], edges[1:]) * np.tile((-1.0, 1.0), self.orders))
+
+    def between(self, low: Any, high: Any) -> Floats:
+        """Between which r and three derivatives are from one u to another, (n, 8)."""
+        return np.asarray(SOLVER.curved_between(self._with_segments(), low, high))
+
+    def _with_segments(self, edges: Floats = _EDGES_OF_U[:1], segments: Floats = _EDGES_OF_U[:0]) -> Floats:
+        lines = [line for piece in self.pieces for line in piece.formula.lines]
         integers, numbers = ([one for line in lines for one in line[k]] for k in (0, 1))
-        sizes = len(self.pieces), self.orders, len(lines) > len(self.pieces), len(integers)
+        sizes = len(self.pieces), self.orders, len(lines) > len(self.pieces), len(integers), len(edges) - 1
         steps = [(*piece.line, piece.mirrored) for piece in self.pieces]
-        rows = (sizes, self.ends, self.bends, self.walls, steps, _TABLES, integers, numbers)
+        rows = (sizes, edges, segments, self.ends, self.bends, self.walls, steps, _TABLES, integers, numbers)
         return np.concatenate([np.ravel(row) for row in rows]).astype(float)
 
     def at(self, A: Floats, B: Floats, orders: int) -> tuple[list[Floats], list[Floats]]:

@@ -20,7 +20,7 @@ from slowflow.core import validate
 from slowflow.core.backend import SOLVER
 from slowflow.core.mechanism import Flags, Mechanism
 from slowflow.core.model import Floats
-from slowflow.off_centre.curved import Curved, Part
+from slowflow.off_centre.curved import Curved, Formula, Part
 from slowflow.off_centre.smooth import SINGULAR, Beyond, check, outwards
 from slowflow.support.errors import NotSettled, Refused
 from slowflow.support.text import Sentence, text
@@ -225,11 +225,11 @@ class Steps:
             raise validate.NotAvailable(NO_MEANS.format(mechanism.name, NO_EXTENT))
         gains = own = np.array([float(one) for one in stated.gained(*parameters)]).reshape(-1, 3)
         laws = [
-            (partial(_law, one, parameters), partial(_enclosed, other, parameters), False)
+            (Formula(partial(_law, one, parameters), partial(_enclosed, other, parameters)), False)
             for one, other in zip(stated.pieces, stated.held, strict=True)
         ]
         if mechanism.odd:
-            laws = [*((law, enclosed, True) for law, enclosed, _ in laws[:0:-1]), *laws]
+            laws = [*((formula, True) for formula, _ in laws[:0:-1]), *laws]
             ends, gains = np.concatenate((-ends[::-1], ends)), np.concatenate((gains[::-1] * (1, -1, 1), gains))
         about = int((ends < 0).sum())
         self.pieces = lines = _lines(ends, gains)
@@ -269,7 +269,7 @@ class Steps:
             if mechanism.odd:
                 gains, laws = np.concatenate((gains[::-1] * (1, -1), gains)), [*laws[:0:-1], *laws]
             lines = zip(laws, known.pieces, _lines(known.ends, gains), strict=True)
-            moving = [Part(law, None, part.mirrored, (float(a), float(b))) for law, part, (a, b) in lines]
+            moving = [Part(Formula(law), part.mirrored, (float(a), float(b))) for law, part, (a, b) in lines]
             found.append(Curved(moving, known.ends, np.zeros(known.ends.size), known.walls, ORDERS))
         return found
 

@@ -11,7 +11,6 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from slowflow.core.intervals import Interval
 from slowflow.core.model import Floats
 from slowflow.off_centre.curved import Part
 from slowflow.support.errors import Refused
@@ -56,11 +55,10 @@ def outwards(
         """Between neighbours, from the last: where it is, the least that pushes back, whether all of it is known."""
         low, high = edges[:-1], edges[1:]
         with np.errstate(all="ignore"):
-            f, *others = part.force(Interval(np.array((low, high) if side > 0 else (-high, -low))))
-            push = (f if side > 0 else -f) - side * load
-        known = np.all([np.isfinite(one.ends).all(axis=0) for one in (f, *others)], axis=0)
-        each = zip(low.tolist(), high.tolist(), push.lo.tolist(), known.tolist(), strict=True)
-        return list(each)[::-1]
+            on = part.between(*((low, high) if side > 0 else (-high, -low)))
+            push = (on[:, 0, 0] if side > 0 else -on[:, 0, 1]) - side * load
+        known = np.asarray(np.isfinite(on).all(axis=(1, 2)))
+        return list(zip(low.tolist(), high.tolist(), push.tolist(), known.tolist(), strict=True))[::-1]
 
     pending = cells(np.concatenate(([start], edges)))
     settled, grown = start, np.inf
@@ -73,9 +71,8 @@ def outwards(
                 pending += cells(np.array((low, 0.5 * (low + high), high)))
                 continue
             near = low - 4 * (high - low)
-            with np.errstate(all="ignore"):
-                force = part.force(Interval(np.full((2, 1), side * near)))[0]
-            if near > max(start, 0.0) and (force if side > 0 else -force).lo[0] > AT_WALL * max(1.0, abs(load)):
+            force = part.between(side * near, side * near)[0, 0] * side
+            if near > max(start, 0.0) and force.min() > AT_WALL * max(1.0, abs(load)):
                 return Beyond(near, settled, min(grown, near))
             raise Refused(complain(side * low))
         if not push > 0:
@@ -94,9 +91,7 @@ def check(part: Part, low: float, high: float, complain: Callable[[float], str])
     pending = list(zip(edges[:-1].tolist(), edges[1:].tolist(), strict=True))
     while pending:
         a, b = pending.pop()
-        with np.errstate(all="ignore"):
-            values = part.force(Interval(np.array([[a], [b]])))
-        if all(np.isfinite(one.ends).all() for one in values):
+        if np.isfinite(part.between(a, b)).all():
             continue
         if b - a < NARROW * max(abs(a), abs(b), high - low):
             raise Refused(complain(a))

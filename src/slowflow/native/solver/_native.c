@@ -23,6 +23,8 @@ static const struct {
      sf_step_means_loop},
     {"curved_means", "(k),(),(),()->(8)", "ddddd", "force without its steps, A, B, orders -> c_n, s_n.",
      sf_curved_means_loop},
+    {"curved_between", "(k),(),()->(8)", "dddd",
+     "force without its steps, low, high -> between which it and three derivatives are there.", sf_curved_between_loop},
     {"ends", "(n),(d),(d),(),(),(k)->(56)", "ddddddd",
      "charts, low, high, chart, load, force without its steps or nothing -> intervals on the box, and in its middle.",
      sf_ends_loop},

@@ -135,6 +135,26 @@ void sf_curved_means_loop(char **operands, const ptrdiff_t *dimensions, const pt
     sf_leave_curved(&of);
 }
 
+/* a force without its steps, low, high -> what holds it and three derivatives in between, all numbers for others */
+void sf_curved_between_loop(char **operands, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data) {
+    const double *packed = (const double *)(const void *)operands[0];
+    sf_curved of = {0};
+    const int is_known =
+        steps[4] == (ptrdiff_t)sizeof *packed && sf_read_curved(packed, dimensions[1], &of) && of.enclosed;
+    (void)data;
+    for (ptrdiff_t i = 0; i < dimensions[0]; i++) {
+        const double low = IN(1), high = IN(2);
+        sf_interval found[SF_CURVED_ORDERS][SF_BOX_PANELS];
+        if (is_known)
+            sf_curved_between(&of, 1, &low, &high, found);
+        for (int k = 0; k < 2 * SF_CURVED_ORDERS; k++) {
+            const sf_interval one = is_known ? found[k / 2][0] : sf_any_number;
+            *(double *)(void *)(operands[3] + i * steps[3] + k * steps[5]) = k % 2 ? one.hi : one.lo;
+        }
+    }
+    sf_leave_curved(&of);
+}
+
 /* inputs or outputs of a row at most */
 enum { SF_MOST_OF_ROW = 40 };
 

@@ -11,7 +11,8 @@ typedef void sf_gufunc_loop(char **operands, const ptrdiff_t *dimensions, const 
 sf_gufunc_loop sf_response_roots_loop, sf_fold_roots_loop, sf_peak_roots_loop;
 sf_gufunc_loop sf_law_roots_loop, sf_law_peak_roots_loop;
 sf_gufunc_loop sf_step_means_loop, sf_ends_loop, sf_on_balance_loop, sf_ended_state_loop, sf_ended_fold_loop;
-sf_gufunc_loop sf_curved_means_loop, sf_ended_edge_loop, sf_may_be_state_loop, sf_folds_between_loop, sf_slopes_loop;
+sf_gufunc_loop sf_curved_means_loop, sf_curved_between_loop, sf_ended_edge_loop, sf_may_be_state_loop,
+    sf_folds_between_loop, sf_slopes_loop;
 
 /* The solvers for this processor. */
 const sf_solvers *sf_here(void);
