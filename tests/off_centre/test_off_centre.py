@@ -453,6 +453,8 @@ def test_every_place_of_rest_is_found():
     assert wells.stable.tolist() == [True, False, True]
     assert Isolator(**TABLE_1, load=0.45).rest().u == pytest.approx([0.45], rel=1e-15)
     assert len(Duffing(1.0, 0.5, load=-0.3).rest()) == 1
+    unloaded = Isolator(lam=0.87, r=0.4, delta_h=0.0757, mu=0.03, zeta=0.05, force="untruncated")
+    assert unloaded.rest().u.tolist() == [0.0]  # was -1.5e-185
 
 
 def test_what_has_no_answer_off_the_centre_is_refused_in_words(loaded):

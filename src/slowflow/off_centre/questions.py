@@ -190,6 +190,8 @@ class OffCentre(Unchanging, ComposedQuestions):
         found = solve(on, edges[np.newaxis, :-1], edges[np.newaxis, 1:], np.zeros(edges.size - 1, int))
         (u,) = found.x
         u = np.sort(u)
+        if self._complete.has_centre:  # Newton's method only tends to 0
+            u = np.where(np.abs(u) <= AT_CENTRE, 0.0, u)
         stiffness = self._steps.at(np.zeros(u.size), u, 1).c[1]
         notes = self._beyond_reach(0.0, u)
         if found.undecided_of.size:
