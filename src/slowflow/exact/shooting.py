@@ -222,14 +222,22 @@ class SteadyState(Answer):
         return -a if of == "force" else np.asarray(u + self.F_0 * np.cos(theta)) if of == "absolute" else u
 
     def _highest(self, of: str, phase: Phase) -> float:
-        """The largest size of that within a phase, its ends included, on ever finer grids about the largest so far."""
-        low, high, top = phase.theta, phase.end, 0.0
-        for _ in range(PEAK_ROUNDS):
+        """The largest size of that within a phase, its ends included, on ever finer grids about each local maximum."""
+
+        def sizes_between(low: float, high: float) -> tuple[Floats, Floats]:
             grid = np.linspace(low, high, PEAK_SAMPLES)
-            sizes = np.abs(self._wave(of, phase, grid))
-            at = int(np.argmax(sizes))
-            top = max(top, float(sizes[at]))
-            low, high = grid[max(at - 1, 0)], grid[min(at + 1, PEAK_SAMPLES - 1)]
+            return grid, np.abs(self._wave(of, phase, grid))
+
+        grid, sizes = sizes_between(phase.theta, phase.end)
+        top = float(sizes.max())
+        # all of them: both ends of a half turn have the same size, and the peak may be next to either
+        bordered = np.concatenate(([-1.0], sizes, [-1.0]))
+        for at in np.flatnonzero((sizes > bordered[:-2]) & (sizes >= bordered[2:])).tolist():
+            about = grid
+            for _ in range(PEAK_ROUNDS - 1):
+                about, finer = sizes_between(about[max(at - 1, 0)], about[min(at + 1, PEAK_SAMPLES - 1)])
+                at = int(np.argmax(finer))
+                top = max(top, float(finer[at]))
         return top
 
     def _sample_phase(self, phase: Phase, theta: Floats) -> Floats:
