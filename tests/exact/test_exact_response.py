@@ -336,3 +336,22 @@ def test_curve_is_followed_across_a_border_of_its_cycle():
     for one, other in zip(curve.folds, back.folds, strict=True):
         assert one.Omega == pytest.approx(other.Omega, rel=1e-12) and one.kind == other.kind
     assert curve.peak.A == pytest.approx(back.peak.A, rel=1e-12)
+
+
+def test_loaded_linear_curve_is_the_unloaded_one_shifted():
+    """Through all points where the mass breaks away from a stop, whose acceleration there is zero up to rounding."""
+    for F_0, mu, zeta, load, Omega in (
+        (0.05844, 0.01327, 0.0468, -0.5, (0.12, 0.36)),
+        (0.0106, 0.0051, 0.0156, 0.246, (0.466, 1.4)),
+        (0.01197, 0.00393, 0.0234, 0.45, (0.18, 0.54)),
+        (0.0108, 0.00774, 0.0322, 0.18, (0.16, 0.48)),
+        (0.066, 0.01396, 0.0821, -0.42, (0.13, 0.39)),
+        (0.01064, 0.00823, 0.0999, 0.3, (0.38, 1.14)),
+    ):
+        linear_case = {"alpha": 1.0, "beta": 0.0, "gamma": 0.0, "mu": mu, "zeta": zeta}
+        shifted = Duffing(**linear_case, load=load).exact_response(F_0, Omega=Omega)
+        assert shifted.complete and not shifted.folds, shifted.message
+        for i in range(0, len(shifted), 25):
+            state = Duffing(**linear_case).steady_state(Omega=float(shifted.Omega[i]), F_0=F_0)
+            assert shifted.A[i] == pytest.approx(abs(load) + state.A, rel=1e-11)
+            assert shifted.stops[i] == state.stops

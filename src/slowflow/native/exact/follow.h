@@ -318,7 +318,9 @@ static sf_outcome sf_follow(sf_forced *forced, double theta, double u, double v,
     int slip, region, zeros = v == 0.0;
     if (start != NULL) {
         slip = start[0], region = start[1];
-        zeros = v != 0.0 ? 0 : slip && slip * sf_acceleration(forced, slip, region, theta, u, 0.0) > 0.0 ? 1 : 2;
+        /* of an acceleration that is 0 but for roundings the series may have the other sign: a stop at once */
+        const double none = 0x1p-40 * (sf_forcing(forced) + sf_holding(system, region) + fabs(system->load));
+        zeros = v != 0.0 ? 0 : slip && slip * sf_acceleration(forced, slip, region, theta, u, 0.0) > none ? 1 : 2;
     } else {
         region = sf_region_of(system, u);
         slip = v != 0 ? (v > 0 ? 1 : -1) : sf_after_stop(forced, 0, region, theta, u);
