@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.optimize import root
 
-from slowflow import Duffing, Isolator
+from slowflow import Duffing, Isolator, derive
 from slowflow.exact import EquationOfMotion, exact_response, linear, response, steady_state, sweep
 from slowflow.exact.continuation import FOLDS
 from slowflow.exact.sweep import _is_stable as is_stable_branch
@@ -355,3 +355,23 @@ def test_loaded_linear_curve_is_the_unloaded_one_shifted():
             state = Duffing(**linear_case).steady_state(Omega=float(shifted.Omega[i]), F_0=F_0)
             assert shifted.A[i] == pytest.approx(abs(load) + state.A, rel=1e-11)
             assert shifted.stops[i] == state.stops
+
+
+@pytest.mark.parametrize(
+    ("name", "design", "F_0", "Omega"),
+    [
+        ("elastic_stop", {"kappa": 3.17, "delta": 0.254, "mu": 0.629, "zeta": 0.009}, 0.796, (0.156, 0.4)),
+        ("bilinear", {"kappa": 8.45, "delta": 0.061, "mu": 0.319, "zeta": 0.1226}, 0.349, (0.06, 0.25)),
+        ("elastic_stop", {"kappa": 8.32, "delta": 0.3615, "mu": 0.154, "zeta": 0.0107}, 0.4556, (0.15, 0.19)),
+    ],
+)
+def test_curve_goes_on_where_a_stop_passes_a_breakpoint(name, design, F_0, Omega):
+    """The mass rests at its farthest place, which comes to lie beyond the breakpoint; points are SciPy's motions."""
+    curve = derive.library(name)(**design).exact_response(F_0, Omega=Omega)
+    assert curve.complete, curve.message
+    side = np.sign(curve.A - design["delta"])
+    assert side.min() < 0 < side.max()
+    for i in np.flatnonzero(side[1:] > side[:-1]).tolist():
+        for state in (curve.steady_state(i - 3), curve.steady_state(i + 3)):
+            assert state.stops >= 2
+            assert abs(again(state).A - state.A) <= 1e-9

@@ -420,10 +420,11 @@ class Path:
     def _simulated_order(self, trial: Point) -> tuple[Cycle, Floats] | None:
         cycle, z = trial.cycle, trial.z
         forced = Forced(cycle.system, float(z[-1]), self.F_0)
-        start = cycle.signature[0] if cycle.starts_sticking else None
-        theta = float(z[1])
+        theta, u = float(z[1]), float(z[0])
+        # a mass that breaks away may have passed a breakpoint at the border
+        start = (-1, cycle.system.force.region_of(u)) if cycle.starts_sticking else None
         try:
-            motion = follow(forced, theta, float(z[0]), 0.0, theta + (cycle.half_turns + 3) * math.pi, start)
+            motion = follow(forced, theta, u, 0.0, theta + (cycle.half_turns + 3) * math.pi, start)
         except ArithmeticError:
             return None
         return closed_cycle(forced, cycle.half_turns, motion)
