@@ -33,12 +33,6 @@ AMOUNTS: Mapping[str, Mapping[str, str]] = {
 }
 TRANSMISSIBILITY = "transmissibility_dB"
 REQUIREMENTS = (*NONE, TRANSMISSIBILITY, *AMOUNTS)
-#: fraction of the damping due to dry friction up to which the largest displacement is near simulated ones (limits.md)
-MOST_GAUSSIAN = 0.4
-NOT_GAUSSIAN = (
-    "dry friction is {:.2g} of the equivalent damping: the largest displacement within a duration, which assumes a "
-    "Gaussian motion, is too low, by 15 % at 0.61 and by 21 % at 0.74"
-)
 #: margins of a design that is looked for: rounding is not to decide whether it meets what binds
 SPARE = 1 + 1e-6
 #: of how many products the share is that meets a requirement
@@ -208,13 +202,11 @@ def _at_forcing(scene: Any, one: Requirement, at: dict[str, float], mount: bool)
 def _under(scene: Any, one: Requirement, query: Any, under: str, mount: bool) -> tuple[Any, ...]:
     """In a shock, or under a spectral density: the largest of its stationary motions, in the mean or within a time."""
     found = scene.ask(query.question, **query.arguments)
-    message = str(found.message)
     if under == "random" and not one.options["rms"]:
-        values, dry = found.largest(one.options["duration"]), float(np.max(found.dry))
-        message = joined(message, NOT_GAUSSIAN.format(dry) if dry > MOST_GAUSSIAN else "")
+        values = found.largest(one.options["duration"])
     else:
         values = _column(found, AMOUNTS[one.name][under], mount)
-    return _amount(one, float(np.max(values)), mount, message)
+    return _amount(one, float(np.max(values)), mount, str(found.message))
 
 
 def _amount(one: Requirement, value: float, mount: bool, message: str) -> tuple[Any, ...]:

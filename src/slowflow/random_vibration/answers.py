@@ -16,13 +16,12 @@ from slowflow.core.mechanism import EquationOfMotion, Floats, Reals
 from slowflow.random_vibration.excitation import Excitation, Tabulated, White
 from slowflow.random_vibration.fokker_planck import averages
 from slowflow.random_vibration.gradient import gradient
+from slowflow.random_vibration.passages import largest
 from slowflow.random_vibration.record import measured
 from slowflow.support.errors import Refused
 from slowflow_kernels import linearization
 
 NOT_WHITE = "the Fokker-Planck equation is solved under white noise only: random(S_0=...)"
-#: root mean squares up to which displacements are counted at least, and beyond the likely one, and steps up to there
-FARTHEST, BEYOND, STEPS = 12.0, 6.0, 4000
 #: over natural frequencies how far up and down a picture goes
 SHOWN = 10.0
 
@@ -106,16 +105,12 @@ class RandomResponse(Drawn, Table, entry="Stationary"):
     def largest(self, duration: float) -> Floats:
         """Mean of the largest |u| within a duration, shape (motions,).
 
-        Level crossings are treated as a Poisson process of a Gaussian motion. If dry friction causes more than 0.4 of
-        the damping, the largest displacement is too low, by 21 % at 0.74.
+        By stochastic averaging of the energy, with the force and the damping of (3); passages of a level come in
+        clusters. In simulations it is 2 % too low to 5 % too high, with dry friction up to 0.92 of the damping; up to
+        16 % too high, or 4 % too low, where the density of the excitation varies much near Omega_e.
         """
         tau = validate.number("duration", duration, above=0.0)
-        B, u, v = (one[:, np.newaxis] for one in (self.B, self.u_rms, self.v_rms))
-        likely = np.sqrt(2 * np.maximum(np.log(tau) + np.log(v / u), 0.0))
-        level = (np.maximum(FARTHEST, likely + BEYOND) * u + np.abs(B)) * np.linspace(0.0, 1.0, STEPS)
-        beyond = np.maximum(level, np.abs(B))  # nearer ones than the mean are passed at least as surely as that
-        survives = -np.expm1(-tau * crossings((-beyond, beyond), B, u, v))
-        return np.asarray(np.trapezoid(survives, level, axis=1))
+        return np.array([largest(self, self.system, motion, tau) for motion in range(self.u_rms.size)])
 
     def gradient(self) -> Gradient:
         """Differentiate u_rms, v_rms and a_rms of each motion with respect to the design, damping and excitation.
