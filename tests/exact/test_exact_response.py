@@ -1,5 +1,6 @@
 """The exact response curve and the stepped sweep: folds, borders, stability, jumps."""
 
+import itertools
 import math
 
 import numpy as np
@@ -375,3 +376,20 @@ def test_curve_goes_on_where_a_stop_passes_a_breakpoint(name, design, F_0, Omega
         for state in (curve.steady_state(i - 3), curve.steady_state(i + 3)):
             assert state.stops >= 2
             assert abs(again(state).A - state.A) <= 1e-9
+
+
+def test_curve_ends_where_static_friction_just_stops_the_mass():
+    """There velocity and acceleration vanish together, and the motion beyond is another one; it is no fold."""
+    mount = Isolator(lam=1, r=2.414, delta_h=0.389, mu=0.2219, mu_s=0.2656, zeta=0.2339)
+    curve = mount.exact_response(0.649, Omega=(0.25, 0.5))
+    assert curve.complete and not curve.folds and "ends at" in curve.message
+    last = curve.steady_state(len(curve) - 1)
+    other = again(last)
+    assert abs(other.A - last.A) <= 1e-9 and last.stops == 2 and last.stable
+    stop = next(phase for phase, after in itertools.pairwise(last.phases) if after.slip == 0)
+    rate = last.force * math.cos(stop.end) - mount.force(np.array([stop.u_end]))[0] - stop.slip * mount.mu
+    assert abs(rate) <= 1e-4 * last.force
+    assert curve.Omega.max() == pytest.approx(last.Omega, rel=1e-12)
+    (u, v), Omega = last._state(0.0), last.Omega * (1 + 1e-6)
+    beyond = mount.steady_state(Omega=Omega, F_0=0.649, u_0=u, v_0=v)
+    assert beyond.stops == 0 and beyond.A - last.A > 1e-5

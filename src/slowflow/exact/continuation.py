@@ -39,6 +39,12 @@ MOST_POINTS = 20_000
 TRACE_POINTS = 50  # points at a time: some milliseconds, after which Ctrl-C is heard
 PASSES = "the response curve at {F_0 = :} passes {A = :g} at {Omega = :.9g}: {why:s}choose a range on one side of it"
 ENDS = "the response curve at {F_0 = :} cannot be followed beyond {Omega = :.9g}, {A = :.9g}"
+JUMPS = (
+    "the response curve at {F_0 = :} ends at {Omega = :.9g}, {A = :.9g}: there the mass just stops or just breaks away,"
+    " and as {mu_s} exceeds {mu}, the motion beyond is another one"
+)
+#: changes of u_0, relative, across the end of a curve, and how many times the last of them states then are apart
+ACROSS, APART = (1e-6, 1e-8), 1e2
 FOLDS = ("fold", "corner")  # roles of points
 #: where the point that is found last is none of those that are followed
 BEFORE = (Pause.BENDS, Pause.LEAVES, Pause.SWITCHES)
@@ -46,6 +52,10 @@ BEFORE = (Pause.BENDS, Pause.LEAVES, Pause.SWITCHES)
 
 class LostCurve(NotSettled):
     """The curve cannot be followed beyond the last point that was found."""
+
+
+class CurveEnds(LostCurve):
+    """The curve has no points beyond it."""
 
 
 class Point(NamedTuple):
@@ -130,7 +140,10 @@ class Path:
                 *before, new = point, *points
                 yield from before[1:]
                 if new.tangent[-1] * before[-1].tangent[-1] < 0:
-                    yield self._fold(before[-1], new, size)
+                    fold = self._fold(before[-1], new, size)
+                    if self._ends(fold):
+                        raise CurveEnds(text(JUMPS, self.F_0, fold.z[-1], fold.A))
+                    yield fold
                 yield new
                 if new.A > LARGEST:
                     unbounded = new.cycle.system.zeta == new.cycle.system.eta == 0
@@ -157,7 +170,28 @@ class Path:
                     break
                 # once more: an asymmetric cycle that starts elsewhere may have its start at the border
                 self.restarts, size = False, 0.1 * self.step
+        if self._ends(point):
+            raise CurveEnds(text(JUMPS, self.F_0, point.z[-1], point.A))
         raise LostCurve(text(ENDS, self.F_0, point.z[-1], point.A))
+
+    def _ends(self, point: Point) -> bool:
+        """Whether static friction makes motions jump there: they do not come nearer as their starts do."""
+        cycle, z = point.cycle, point.z
+        if not cycle.system.mu_s > cycle.system.mu:
+            return False
+        forced, theta = Forced(cycle.system, float(z[-1]), self.F_0), float(z[1])
+        start = cycle.signature[0] if cycle.starts_sticking else None
+        distances = []
+        for offset in (change * point.A for change in ACROSS):
+            ends = []
+            for u in (float(z[0]) - offset, float(z[0]) + offset):
+                try:
+                    last = follow(forced, theta, u, 0.0, theta + math.pi * cycle.half_turns, start)[-1]
+                except ArithmeticError:
+                    return False
+                ends.append((last.u_end, last.v_end))
+            distances.append(math.dist(*ends))
+        return distances[1] > max(APART * offset, 0.5 * distances[0])
 
     def up_to_fold(self, start: SteadyState, direction: float) -> tuple[list[Point], bool]:
         """The points from a motion on up to the first beyond a fold, and whether there is one before the curve ends."""

@@ -153,8 +153,8 @@ class Motions:
             return response.through(F_0, [], False, joined(start.message, message))
         found = response.exact_response(system, F_0, Omega=(low, high), start=start, step=step)
         # an incomplete curve cannot be compared with averaged ones
-        message = self._other_curves(found, (low, high)) if found.complete else found.message
-        return dataclasses.replace(found, message=joined(begins, start.message, message))
+        others = self._other_curves(found, (low, high)) if found.complete else ""
+        return dataclasses.replace(found, message=joined(begins, start.message, found.message, others))
 
     def _other_curves(self, found: response.Response, window: tuple[float, float]) -> str:
         """Names a stable point of each averaged curve in the window that the exact one does not come near."""

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from slowflow.answers.answer import Drawn, Table
 from slowflow.answers.transmissibility import Transmitted
 from slowflow.core.mechanism import EquationOfMotion, Flags, Floats
-from slowflow.exact.continuation import FOLDS, STEP, LostCurve, Path, Point, is_same
+from slowflow.exact.continuation import FOLDS, STEP, CurveEnds, LostCurve, Path, Point, is_same
 from slowflow.exact.motion import Forced, OutOfWork, check_forcing, limited
 from slowflow.exact.shooting import Limit, SteadyState, converge, describe, lengths, steady_state
 from slowflow.support.errors import NotSettled, Refused
@@ -145,11 +145,14 @@ def exact_response(
     backward: list[Point] = []
     if not closed and start.Omega > low:
         backward, before = _collect(path, path.begin(start, -1.0))
-        lost = lost or before
+        if lost is None or (isinstance(lost, CurveEnds) and before is not None):
+            lost = before
     points = [point.flip() for point in reversed(backward[1:])] + forward
     if lost is not None and len(points) == 1:
         raise lost
     found = through(F_0, points, closed)
+    if isinstance(lost, CurveEnds):
+        return replace(found, message=lost.args[0])
     return found if lost is None else replace(found, message=PARTLY + lost.args[0], complete=False)
 
 
