@@ -859,3 +859,15 @@ def test_weakly_damped_linear_motions_take_few_boxes():
     found = Duffing(1.37, 0.0, mu=2e-4, zeta=1e-4).random(psd=psd)
     assert found.stiffness[0] == pytest.approx(1.37, rel=1e-12)
     assert found.u_rms[0] ** 2 == pytest.approx(moment(psd, 1.37, float(found.damping[0]), 0), rel=1e-9)
+
+
+def test_numbers_next_to_the_ends_of_doubles_have_a_status():
+    """Cells were cut until the stack was full, a table was read that is none, Newton's iteration went on for ever."""
+    stiff = {"lam": 0.402, "r": 1.7e-289, "delta_h": 0.825, "mu": 1.51, "zeta": 1e-300}
+    found = (
+        Duffing.many(alpha=0.95, beta=-4.2e-161, mu=0.86, zeta=[1.8, 2.9e248]).random(S_0=1e-310),
+        Duffing.many(alpha=0.43, beta=-0.37, mu=1.29, zeta=[0.89, 0.9], load=4.3e-54).random(S_0=1e-289),
+        Isolator.many(**stiff, excitation="base", contact="attached").random(psd=([0.4786, 1.2536], [0.5, 0.3536])),
+    )
+    for one in found:
+        assert np.isin(one.status, (Status.OK, Status.UNRESOLVED, Status.INVALID)).all()

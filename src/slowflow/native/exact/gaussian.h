@@ -32,7 +32,7 @@ enum { SF_MOMENTS = 2 * SF_FORCE_DEGREE + 2 };
 #define SF_ASIDE 1.001
 /* by how much more or less sigma is where that is not known yet */
 #define SF_FURTHER 4.0
-enum { SF_MOST_CELLS = 50000, SF_MOST_STEPS = 100 };
+enum { SF_MOST_CELLS = 5000, SF_MOST_STEPS = 100 };
 
 /* A part of a piece. degree: of the polynomial in u that it is, with c next to its powers; -1 of any other force. odd:
  * whether it has odd powers alone */
@@ -477,6 +477,10 @@ static void sf_put_balanced(const sf_balances *of, double low, double high, int 
     sf_put_motion(of->system, of->found, 0.0, at.sigma, at.square, level.v, level.square / (at.sigma * at.sigma));
 }
 
+/* By the ratio of the ends: those of forces beyond the range of doubles are 0, inf or NaN, and would be cut for ever.
+ */
+static int sf_can_be_cut(double grows) { return grows > 1.0 + SF_NARROW && grows < HUGE_VAL; }
+
 static void sf_search_balances(sf_balances *of, const sf_gaussian *a, const sf_gaussian *b) {
     const double grows = b->sigma / a->sigma, cube = grows * grows * grows;
     const double least = a->first[0] / grows - b->first[1] * grows, most = b->first[0] * grows - a->first[1] / grows;
@@ -493,7 +497,7 @@ static void sf_search_balances(sf_balances *of, const sf_gaussian *a, const sf_g
             sf_put_balanced(of, a->sigma, b->sigma, rises, rises ? *b : *a);
         return;
     }
-    if (grows <= 1.0 + SF_NARROW || of->cells++ >= SF_MOST_CELLS) {
+    if (!sf_can_be_cut(grows) || of->cells++ >= SF_MOST_CELLS) {
         if (!isnan(sf_first(a)) && !isnan(sf_first(b))) { /* where the force is not known there is no motion */
             of->found->undecided[0] = level.high / (a->sigma * a->sigma);
             of->found->undecided[1] = of->power / level.high;

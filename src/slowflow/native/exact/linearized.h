@@ -569,7 +569,8 @@ static void sf_search_stationary(sf_linearized *of, const sf_gaussian *a, const 
             return;
         }
     }
-    if (grows <= 1.0 + SF_NARROW || of->cells++ >= SF_MOST_CELLS) {
+    of->cells += isnan(at.q) ? SF_MOST_STEPS : 1;
+    if (!sf_can_be_cut(grows) || of->cells > SF_MOST_CELLS) {
         if (!isnan(sf_first(a)) && !isnan(sf_first(b)))
             of->found->undecided[0] = exp(at.p), of->found->undecided[1] = exp(at.q);
         return;
@@ -612,7 +613,9 @@ static int sf_tabulated(const sf_system *system, const sf_table *table, sf_motio
     sf_gaussian b = sf_averages(&force, to);
     /* E[u f] is size^2 at most, and rises with f/u: an end, to which Newton's iteration for its logarithm comes near */
     double sigma = size, more = 0.0;
-    while (force.hardens && sigma > from && sigma < b.sigma && !(more > 1.0 && more < SF_MORE)) {
+    for (int i = 0;
+         i < SF_MOST_STEPS && force.hardens && sigma > from && sigma < b.sigma && !(more > 1.0 && more < SF_MORE);
+         i++) {
         const sf_gaussian at = sf_averages(&force, sigma);
         more = sf_first(&at) / ((1.0 + SF_ERROR) * size * size);
         if (more > 1.0)

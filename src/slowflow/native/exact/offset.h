@@ -452,6 +452,8 @@ static int sf_offset_motions(const sf_system *system, double power, const sf_tab
         double c[3];
         of.v = sf_velocity(system, system->mu, system->zeta, power, c);
         of.most = of.square = of.v * of.v;
+        if (of.square == 0.0)
+            return 0; /* friction holds the mass: its velocity is below the range of doubles */
     } else {
         const double least = sf_least_damping(&excited, system->mu, system->zeta);
         if (least == HUGE_VAL)
